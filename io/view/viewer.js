@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shows the scene of a page written by io/html_view. window.dscView lets a page's own script steer it.
+'use strict';
+(function () {
+  const scene = JSON.parse(document.getElementById('scene').textContent);
+  const element = id => document.getElementById(id);
+
+  function make(tag, parent, text) {
+    const node = document.createElement(tag);
+    if (text !== undefined) node.textContent = text;
+    if (parent) parent.appendChild(node);
+    return node;
+  }
+
+  for (const [name, value] of scene.facts) {
+    const row = make('tr', element('facts'));
+    make('td', row, name);
+    make('td', row, value);
+  }
+
+  let renderer;
+  try {
+    renderer = new THREE.WebGLRenderer({ antialias: true });
+  } catch (problem) {
+    make('div', element('canvas'), 'This browser shows no 3D pictures (WebGL is not available).').className = 'problem';
+    return;
+  }
+  const canvas = renderer.domElement;
+  renderer.setPixelRatio(window.devicePixelRatio);
+  renderer.setClearColor(0xffffff);
+  element('canvas').appendChild(canvas);
+
+  // Lines and dots lie in the surface they are drawn on, which the triangles only approximate: they are drawn as if they
+  // were nearer to the eye by this fraction of their distance.
+  const depthShift = 'gl_Position.z += 0.004 * projectionMatrix[3][2];';
+  const lineMaterials = [];
+
+  function lineMaterial(colour, width) {
+    const material = new THREE.LineMaterial({ color: new THREE.Color(colour).getHex(), linewidth: width });
+    material.vertexShader = material.vertexShader.replace('gl_Position = clip;', 'gl_Position = clip;' + depthShift);
+    lineMaterials.push(material);
+    return material;
+  }
+
+  // Pairs of end points of the segments of lines given as [x, y, z, x, y, z, …]; null interrupts a line.
+  function segmentsOf(lines) {
+    const positions = [];
+    for (const line of lines) {
+      for (let i = 3; i < line.length; i += 3) {
+        let complete = true;
+        for (let k = i - 3; k < i + 3; ++k) complete = complete && line[k] !== null;
+        if (complete) for (let k = i - 3; k < i + 3; ++k) positions.push(line[k]);
+      }
+    }
+    return positions;
+  }
+
+  function lineObject(lines, material) {
+    const positions = segmentsOf(lines);
+    if (positions.length === 0) return new THREE.Group();
+    const geometry = new THREE.LineSegmentsGeometry();
+    geometry.setPositions(positions);
+    const object = new THREE.LineSegments2(geometry, material);
+    object.frustumCulled = false;
+    object.renderOrder = 1;
+    return object;
+  }
+
+  function discTexture() {
+    const disc = document.createElement('canvas');
+    disc.width = disc.height = 64;
+    const context = disc.getContext('2d');
+    context.fillStyle = '#fff';
+    context.beginPath();
+    context.arc(32, 32, 31, 0, 2 * Math.PI);
+    context.fill();
+    return new THREE.CanvasTexture(disc);
+  }
+  const disc = discTexture();
+
+  function pointObject(positions, colour, size) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
+    const material = new THREE.PointsMaterial({ color: colour, size: size * window.devicePixelRatio, map: disc,
+                                                alphaTest: 0.5, sizeAttenuation: false });
+    material.onBeforeCompile = shader => {
+      shader.vertexShader = shader.vertexShader.replace('#include <logdepthbuf_vertex>',
+                                                        '#include <logdepthbuf_vertex>\n' + depthShift);
+    };
+    const object = new THREE.Points(geometry, material);
+    object.frustumCulled = false;
+    object.renderOrder = 2;
+    return object;
+  }
+
+  function surfaceObject(surface, isFlat) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(surface.vertices, 3));
+    geometry.setIndex(new THREE.Uint32BufferAttribute(surface.triangles, 1));
+    geometry.computeVertexNormals();
+    const hasColours = surface.colours.length > 0;
+    if (hasColours) geometry.setAttribute('color', new THREE.Float32BufferAttribute(surface.colours, 3));
+    const settings = { color: hasColours ? '#ffffff' : surface.colour, side: THREE.DoubleSide,
+                       vertexColors: hasColours ? THREE.VertexColors : THREE.NoColors,
+                       polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 };
+    const material = isFlat ? new THREE.MeshBasicMaterial(settings) : new THREE.MeshLambertMaterial(settings);
+    const object = new THREE.Mesh(geometry, material);
+    const edges = new THREE.LineSegments(new THREE.WireframeGeometry(geometry),
+                                         new THREE.LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.35 }));
+    edges.visible = surface.edges;
+    object.add(edges);
+    object.setOpacity = opacity => {
+      material.opacity = opacity;
+      material.transparent = opacity < 1;
+      material.depthWrite = opacity >= 1;
+      material.needsUpdate = true;
+    };
+    object.setOpacity(surface.opacity);
+    return object;
+  }
+
+  // Everything of one view: its objects, camera, controls and what is picked in it.
+  function buildView(description) {
+    const root = new THREE.Scene();
+    const view = { description, root, items: [], series: [], surfaces: [], picked: new THREE.Group() };
+    const addItem = (item, object) => {
+      object.visible = item.visible;
+      root.add(object);
+      view.items.push({ name: item.name, colour: item.colour, object });
+    };
+
+    for (const surface of description.surfaces) {
+      const object = surfaceObject(surface, description.flat);
+      view.surfaces.push(object);
+      addItem(surface, object);
+    }
+    for (const item of description.lines) addItem(item, lineObject(item.lines, lineMaterial(item.colour, item.width)));
+    for (const item of description.series) {
+      const holder = new THREE.Group();
+      view.series.push({ item, holder, material: lineMaterial(item.colour, item.width), shown: -2 });
+      addItem(item, holder);
+    }
+    for (const item of description.points) addItem(item, pointObject(item.positions, item.colour, item.size));
+    root.add(view.picked);
+    if (description.fan) {
+      view.fanMaterial = lineMaterial(description.fan.colour, description.fan.width);
+      view.items.push({ name: description.fan.name, colour: description.fan.colour, object: view.picked });
+    }
+    view.times = Array.from(new Set([].concat(...description.series.map(item => item.times)))).sort((a, b) => a - b);
+    placeCamera(view);
+    return view;
+  }
+
+  function boundsOf(view) {
+    const box = new THREE.Box3();
+    const point = new THREE.Vector3();
+    const extend = numbers => {
+      for (let i = 0; i + 2 < numbers.length; i += 3) {
+        if (numbers[i] !== null && numbers[i + 1] !== null && numbers[i + 2] !== null) {
+          box.expandByPoint(point.set(numbers[i], numbers[i + 1], numbers[i + 2]));
+        }
+      }
+    };
+    for (const surface of view.description.surfaces) extend(surface.vertices);
+    for (const item of view.description.lines) item.lines.forEach(extend);
+    for (const item of view.description.points) extend(item.positions);
+    for (const item of view.description.series) item.frames.forEach(frame => frame.forEach(extend));
+    if (box.isEmpty()) box.set(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
+    return box;
+  }
+
+  function placeCamera(view) {
+    const box = boundsOf(view);
+    const center = box.getCenter(new THREE.Vector3());
+    view.size = box.getSize(new THREE.Vector3());
+    const radius = Math.max(0.5 * view.size.length(), 1e-12);
+    if (view.description.flat) {
+      view.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 4 * radius);
+      view.camera.position.copy(center).z += 2 * radius;
+    } else {
+      view.camera = new THREE.PerspectiveCamera(35, 1, radius / 50, radius * 50);
+      view.camera.up.set(0, 0, 1);
+      view.camera.position.set(1.6, -2.6, 2.0).setLength(3.3 * radius).add(center);
+      view.camera.add(new THREE.DirectionalLight(0xffffff, 0.75));
+      view.root.add(new THREE.HemisphereLight(0xffffff, 0x8890a0, 0.45));
+    }
+    view.root.add(view.camera);
+    view.controls = new THREE.OrbitControls(view.camera, canvas);
+    view.controls.target.copy(center);
+    view.controls.screenSpacePanning = true;
+    view.controls.enableKeys = false;
+    if (view.description.flat) {
+      view.controls.enableRotate = false;
+      view.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
+      view.controls.touches.ONE = THREE.TOUCH.PAN;
+    }
+    view.controls.update();
+    view.controls.enabled = false;
+    view.controls.addEventListener('change', draw);
+  }
+
+  function fitCamera(view, width, height) {
+    const camera = view.camera;
+    if (camera.isPerspectiveCamera) {
+      camera.aspect = width / height;
+      // A tall, narrow window sees as much to the sides as a wide one sees above.
+      camera.fov = 35 * Math.max(1, Math.min(2.5, height / width));
+    } else {
+      const half = 0.54 * Math.max(view.size.y, view.size.x * height / width, 1e-12);
+      camera.top = half;
+      camera.bottom = -half;
+      camera.right = half * width / height;
+      camera.left = -camera.right;
+    }
+    camera.updateProjectionMatrix();
+  }
+
+  let current = null;
+  let isDrawn = true;
+
+  function draw() {
+    if (!isDrawn) return;
+    isDrawn = false;
+    requestAnimationFrame(() => {
+      isDrawn = true;
+      renderer.render(current.root, current.camera);
+    });
+  }
+
+  function resize() {
+    const width = Math.max(element('canvas').clientWidth, 1);
+    const height = Math.max(element('canvas').clientHeight, 1);
+    renderer.setSize(width, height);
+    for (const material of lineMaterials) material.resolution.set(width, height);
+    for (const view of views) fitCamera(view, width, height);
+    draw();
+  }
+
+  function replaceContent(group, objects) {
+    for (const old of group.children.slice()) {
+      group.remove(old);
+      if (old.geometry) old.geometry.dispose();
+    }
+    for (const object of objects) group.add(object);
+  }
+
+  function setTime(time) {
+    for (const series of current.series) {
+      let frame = -1;
+      while (frame + 1 < series.item.times.length && series.item.times[frame + 1] <= time) ++frame;
+      if (frame === series.shown) continue;
+      series.shown = frame;
+      replaceContent(series.holder, frame < 0 ? [] : [lineObject(series.item.frames[frame], series.material)]);
+    }
+    draw();
+  }
+
+  // The sample of the fan nearest to a place: its ray is shown up to there.
+  function pick(place) {
+    const fan = current.description.fan;
+    let best = { distance: Infinity };
+    fan.rays.forEach((ray, index) => {
+      for (let i = 0; i + 2 < ray.length; i += 3) {
+        if (ray[i] === null) continue;
+        const distance = (ray[i] - place.x) ** 2 + (ray[i + 1] - place.y) ** 2 + (ray[i + 2] - place.z) ** 2;
+        if (distance < best.distance) best = { distance, index, sample: i / 3 };
+      }
+    });
+    if (best.index === undefined) return;
+    const ray = fan.rays[best.index].slice(0, 3 * best.sample + 3);
+    replaceContent(current.picked, [lineObject([ray], current.fanMaterial),
+                                    pointObject(ray.slice(-3), fan.colour, 10)]);
+    element('picked').textContent = `${fan.labels[best.index]}\n${fan.valueName} ${fan.values[best.index][best.sample]}`;
+    draw();
+  }
+
+  function labelledPointAt(x, y) {
+    const rectangle = canvas.getBoundingClientRect();
+    let best = null;
+    let nearest = 10;
+    for (const item of current.description.points) {
+      for (let i = 0; i < item.labels.length; ++i) {
+        const p = new THREE.Vector3().fromArray(item.positions, 3 * i).project(current.camera);
+        const distance = Math.hypot((p.x + 1) / 2 * rectangle.width - x, (1 - p.y) / 2 * rectangle.height - y);
+        if (distance < nearest) {
+          nearest = distance;
+          best = item.labels[i];
+        }
+      }
+    }
+    return best;
+  }
+
+  function click(x, y) {
+    const label = labelledPointAt(x, y);
+    if (label !== null) {
+      element('picked').textContent = label;
+      return;
+    }
+    if (!current.description.fan) return;
+    const rectangle = canvas.getBoundingClientRect();
+    const pointer = new THREE.Vector2(2 * x / rectangle.width - 1, 1 - 2 * y / rectangle.height);
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(pointer, current.camera);
+    const hits = caster.intersectObjects(current.surfaces);
+    if (hits.length > 0) {
+      pick(hits[0].point);
+    } else if (current.description.flat) {
+      pick(caster.ray.origin.clone().setZ(0));
+    }
+  }
+
+  function showLegend() {
+    const legend = element('legend');
+    legend.textContent = '';
+    for (const item of current.items) {
+      const row = make('label', legend);
+      const box = make('input', row);
+      box.type = 'checkbox';
+      box.checked = item.object.visible;
+      box.onchange = () => {
+        item.object.visible = box.checked;
+        draw();
+      };
+      const swatch = make('span', row);
+      swatch.className = 'swatch';
+      swatch.style.background = item.colour;
+      make('span', row, item.name);
+    }
+    if (current.surfaces.length === 0) return;
+    make('div', legend, 'opacity');
+    const opacity = make('input', legend);
+    Object.assign(opacity, { type: 'range', min: 0, max: 1, step: 0.05 });
+    opacity.value = current.surfaces[0].material.opacity;
+    opacity.oninput = () => {
+      for (const surface of current.surfaces) surface.setOpacity(Number(opacity.value));
+      draw();
+    };
+    const row = make('label', legend);
+    const box = make('input', row);
+    box.type = 'checkbox';
+    box.checked = current.surfaces[0].children[0].visible;
+    box.onchange = () => {
+      for (const surface of current.surfaces) surface.children[0].visible = box.checked;
+      draw();
+    };
+    make('span', row, 'triangles');
+  }
+
+  function showSlider() {
+    const holder = element('time');
+    holder.textContent = '';
+    if (current.times.length === 0) return;
+    const text = make('label', holder);
+    const slider = make('input', holder);
+    Object.assign(slider, { type: 'range', min: 0, max: current.times.length - 1, step: 1 });
+    slider.value = current.index === undefined ? current.times.length - 1 : current.index;
+    slider.setAttribute('aria-label', scene.timeName);
+    slider.oninput = () => {
+      current.index = Number(slider.value);
+      text.textContent = `${scene.timeName} ${Number(current.times[current.index].toPrecision(6))}`;
+      setTime(current.times[current.index]);
+    };
+    slider.oninput();
+  }
+
+  function show(index) {
+    if (current) current.controls.enabled = false;
+    current = views[index];
+    current.controls.enabled = true;
+    Array.from(element('views').children).forEach((button, i) => button.setAttribute('aria-pressed', i === index));
+    element('picked').textContent = '';
+    element('help').textContent = (current.description.flat ? 'Drag to move, wheel to zoom.'
+      : 'Drag to turn, wheel to zoom, right button to move.') +
+      (current.description.fan ? ` Click to show: ${current.description.fan.name}.` : '');
+    showLegend();
+    showSlider();
+    draw();
+  }
+
+  const views = scene.views.map(buildView);
+  if (views.length === 0) return;
+  if (views.length > 1) {
+    views.forEach((view, index) => {
+      make('button', element('views'), view.description.name).onclick = () => show(index);
+    });
+  }
+
+  let pressed = null;
+  canvas.addEventListener('pointerdown', event => { pressed = [event.offsetX, event.offsetY]; });
+  canvas.addEventListener('pointerup', event => {
+    if (event.button !== 0 || !pressed) return;
+    if (Math.hypot(event.offsetX - pressed[0], event.offsetY - pressed[1]) < 5) click(event.offsetX, event.offsetY);
+  });
+  window.addEventListener('resize', resize);
+
+  show(0);
+  resize();
+  window.dscView = { scene, show, setTime, pick, click, draw, camera: () => current.camera };
+})();
