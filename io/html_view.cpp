@@ -16,6 +16,7 @@ namespace dsc::io {
 namespace {
 
 constexpr int picture_digits = 7;
+constexpr int value_digits = 4;  // of a cell: a colour, and a figure to read
 
 // Coordinates go straight to text: a scene has millions of them, too many for a tree of JSON values.
 void append_coordinates(std::string& text, std::span<const Eigen::Vector3d> points) {
@@ -64,20 +65,39 @@ void begin_item(std::string& text, const std::string& name, const std::string& c
             ",\"visible\":" + (is_visible ? "true" : "false");
 }
 
+// Index tuples as one flat list.
+template <class Tuples>
+void append_indices(std::string& text, const Tuples& tuples) {
+    text += '[';
+    for (const auto& tuple : tuples) {
+        for (const std::uint32_t v : tuple) text += std::to_string(v) + ",";
+    }
+    if (text.back() == ',') text.pop_back();
+    text += ']';
+}
+
 void append(std::string& text, const ViewSurface& surface) {
     DSC_ASSERT(surface.colours.empty() || surface.colours.size() == surface.vertices.size());
     begin_item(text, surface.name, surface.colour, true);
     text += ",\"opacity\":" + number_text(surface.opacity) + ",\"edges\":" + (surface.shows_edges ? "true" : "false") +
             ",\"vertices\":";
     append_coordinates(text, surface.vertices);
-    text += ",\"triangles\":[";
-    for (const auto& triangle : surface.triangles) {
-        for (const std::uint32_t v : triangle) text += std::to_string(v) + ",";
-    }
-    if (text.back() == ',') text.pop_back();
-    text += "],\"colours\":";
+    text += ",\"triangles\":";
+    append_indices(text, surface.triangles);
+    text += ",\"colours\":";
     append_coordinates(text, surface.colours);
     text += '}';
+}
+
+void append(std::string& text, const ViewTets& tets) {
+    DSC_ASSERT(tets.values.size() == tets.tets.size() && tets.worst != tets.best);
+    text += "{\"name\":" + quoted(tets.name) + ",\"valueName\":" + quoted(tets.value_name) +
+            ",\"worst\":" + number_text(tets.worst) + ",\"best\":" + number_text(tets.best) +
+            ",\"edges\":" + (tets.shows_edges ? "true" : "false") + ",\"vertices\":";
+    append_coordinates(text, tets.vertices);
+    text += ",\"tets\":";
+    append_indices(text, tets.tets);
+    text += ",\"values\":" + Json(tets.values).dump(-1, value_digits) + "}";
 }
 
 void append(std::string& text, const ViewLines& lines) {
@@ -114,10 +134,21 @@ void append(std::string& text, const ViewFan& fan) {
     text += '}';
 }
 
+template <class Item>
+void append_optional(std::string& text, const std::optional<Item>& item) {
+    if (item) {
+        append(text, *item);
+    } else {
+        text += "null";
+    }
+}
+
 void append(std::string& text, const HtmlView& view) {
     const auto append_item = [&](const auto& item) { append(text, item); };
     text += "{\"name\":" + quoted(view.name) + ",\"flat\":" + (view.is_flat ? "true" : "false") + ",\n\"surfaces\":";
     append_list(text, view.surfaces, append_item);
+    text += ",\n\"tets\":";
+    append_optional(text, view.tets);
     text += ",\n\"lines\":";
     append_list(text, view.lines, append_item);
     text += ",\n\"points\":";
@@ -125,16 +156,14 @@ void append(std::string& text, const HtmlView& view) {
     text += ",\n\"series\":";
     append_list(text, view.series, append_item);
     text += ",\n\"fan\":";
-    if (view.fan) {
-        append(text, *view.fan);
-    } else {
-        text += "null";
-    }
+    append_optional(text, view.fan);
     text += "}";
 }
 
 std::string scene_json(const HtmlPage& page) {
-    std::string text = "{\"title\":" + quoted(page.title) + ",\"timeName\":" + quoted(page.time_name) + ",\"facts\":";
+    std::string text = "{\"title\":" + quoted(page.title) + ",\"timeName\":" + quoted(page.time_name) +
+                       ",\"sharesCamera\":" + (page.shares_camera ? "true" : "false") +
+                       ",\"figure\":" + quoted(page.figure) + ",\"facts\":";
     append_list(text, page.facts, [&](const auto& fact) { text += texts({fact.first, fact.second}); });
     text += ",\n\"views\":";
     append_list(text, page.views, [&](const HtmlView& view) { append(text, view); });
@@ -183,8 +212,8 @@ std::string html_page(const HtmlPage& page) {
     text += "<title>" + xml_escaped(page.title) + "</title>\n";
     text += "<style>\n" + std::string(assets::style()) + "</style>\n</head>\n<body>\n";
     text += "<main id=\"canvas\"></main>\n<aside id=\"panel\"><h1>" + xml_escaped(page.title) +
-            "</h1><div id=\"views\"></div><table id=\"facts\"></table><div id=\"time\"></div><div id=\"legend\"></div>"
-            "<div id=\"picked\"></div><p id=\"help\"></p></aside>\n";
+            "</h1><div id=\"views\"></div><div id=\"cut\"></div><table id=\"facts\"></table><div id=\"figure\"></div>"
+            "<div id=\"time\"></div><div id=\"legend\"></div><div id=\"picked\"></div><p id=\"help\"></p></aside>\n";
     // In JSON '<' occurs in strings only, where it can be written as an escape.
     text +=
         "<script type=\"application/json\" id=\"scene\">" + replaced(scene_json(page), "<", "\\u003c") + "</script>\n";
@@ -193,6 +222,7 @@ std::string html_page(const HtmlPage& page) {
     text += script_element(assets::line_segments_geometry());
     text += script_element(assets::line_material());
     text += script_element(assets::line_segments());
+    text += script_element(assets::tets());
     text += script_element(assets::viewer());
     if (!page.script.empty()) text += script_element(page.script);
     return text + "</body>\n</html>\n";

@@ -34,6 +34,19 @@ struct ViewSurface {
     bool shows_edges = false;              ///< the triangles' edges, at first
 };
 
+/// Solid cells, each in the colour of its value, from red for `worst` to blue for `best`. The reader cuts them open
+/// with a plane, leaves out those of high value, and clicks a cell to see its value.
+struct ViewTets {
+    std::string name;
+    std::vector<Eigen::Vector3d> vertices;
+    std::vector<std::array<std::uint32_t, 4>> tets;  ///< positive: det[b - a, c - a, d - a] > 0
+    std::vector<double> values;                      ///< one per tetrahedron
+    std::string value_name = "value";
+    double worst = 0;
+    double best = 1;
+    bool shows_edges = true;
+};
+
 struct ViewLines {
     std::string name;
     std::vector<ViewLine> lines;
@@ -78,6 +91,7 @@ struct HtmlView {
     std::string name;
     bool is_flat = false;  ///< a chart: seen from above, moved and zoomed but not turned
     std::vector<ViewSurface> surfaces;
+    std::optional<ViewTets> tets;
     std::vector<ViewLines> lines;
     std::vector<ViewPoints> points;
     std::vector<ViewSeries> series;
@@ -87,8 +101,10 @@ struct HtmlView {
 struct HtmlPage {
     std::string title;
     std::vector<std::pair<std::string, std::string>> facts;  ///< name and value, a table beside the picture
-    std::vector<HtmlView> views;                             ///< the first is shown at first
-    std::string time_name = "time";                          ///< what the slider says
+    std::string figure;              ///< a picture below the table, as SVG (io/svg.h); may be empty
+    std::vector<HtmlView> views;     ///< the first is shown at first
+    bool shares_camera = false;      ///< the views show the same thing: turning one turns all
+    std::string time_name = "time";  ///< what the slider says
     std::string script;  ///< JavaScript run after the viewer, which it finds as window.dscView; may be empty
 };
 

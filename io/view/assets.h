@@ -12,6 +12,7 @@ std::string_view line_segments_geometry();
 std::string_view line_material();
 std::string_view line_segments();
 std::string_view style();
+std::string_view tets();
 std::string_view viewer();
 
 }  // namespace dsc::io::assets

@@ -17,6 +17,11 @@
     make('td', row, name);
     make('td', row, value);
   }
+  if (scene.figure) {
+    const figure = make('img', element('figure'));
+    figure.alt = scene.title;
+    figure.src = 'data:image/svg+xml,' + encodeURIComponent(scene.figure);
+  }
 
   let renderer;
   try {
@@ -93,21 +98,16 @@
     return object;
   }
 
-  function surfaceObject(surface, isFlat) {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.Float32BufferAttribute(surface.vertices, 3));
-    geometry.setIndex(new THREE.Uint32BufferAttribute(surface.triangles, 1));
-    geometry.computeVertexNormals();
-    const hasColours = surface.colours.length > 0;
-    if (hasColours) geometry.setAttribute('color', new THREE.Float32BufferAttribute(surface.colours, 3));
-    const settings = { color: hasColours ? '#ffffff' : surface.colour, side: THREE.DoubleSide,
-                       vertexColors: hasColours ? THREE.VertexColors : THREE.NoColors,
+  // Triangles and their edges, with vertex colours where `colour` is null.
+  function triangleObject(geometry, colour, showsEdges, isFlat) {
+    const settings = { color: colour === null ? '#ffffff' : colour, side: THREE.DoubleSide,
+                       vertexColors: colour === null ? THREE.VertexColors : THREE.NoColors,
                        polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 };
     const material = isFlat ? new THREE.MeshBasicMaterial(settings) : new THREE.MeshLambertMaterial(settings);
     const object = new THREE.Mesh(geometry, material);
     const edges = new THREE.LineSegments(new THREE.WireframeGeometry(geometry),
                                          new THREE.LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.35 }));
-    edges.visible = surface.edges;
+    edges.visible = showsEdges;
     object.add(edges);
     object.setOpacity = opacity => {
       material.opacity = opacity;
@@ -115,7 +115,85 @@
       material.depthWrite = opacity >= 1;
       material.needsUpdate = true;
     };
+    return object;
+  }
+
+  function surfaceObject(surface, isFlat) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(surface.vertices, 3));
+    geometry.setIndex(new THREE.Uint32BufferAttribute(surface.triangles, 1));
+    geometry.computeVertexNormals();
+    const hasColours = surface.colours.length > 0;
+    if (hasColours) geometry.setAttribute('color', new THREE.Float32BufferAttribute(surface.colours, 3));
+    const object = triangleObject(geometry, hasColours ? null : surface.colour, surface.edges, isFlat);
     object.setOpacity(surface.opacity);
+    return object;
+  }
+
+  // From the worst value to the best one.
+  const scaleColours = ['#a8102a', '#ee6c3b', '#f7d774', '#9cc9dd', '#3b6fb0'];
+  const scaleGradient = `linear-gradient(to right, ${scaleColours.join(', ')})`;
+
+  function scaleColour(fraction) {
+    const at = (scaleColours.length - 1) * Math.max(0, Math.min(1, fraction));
+    const below = Math.min(Math.floor(at), scaleColours.length - 2);
+    return new THREE.Color(scaleColours[below]).lerp(new THREE.Color(scaleColours[below + 1]), at - below);
+  }
+
+  // What is cut away, the same in all views, so that they can be compared.
+  const cut = { axis: 1, position: 0.5, limit: 1 };
+  // The side that goes is the one that the camera stands on at first.
+  const cutSides = [1, -1, 1];
+
+  // A colour has to be found again on the scale: no lamps, but a little shade, to tell the faces of a cell apart.
+  const shadeOf = (x, y, z) => 0.8 + 0.2 * Math.abs(0.35 * x - 0.55 * y + 0.76 * z);
+
+  function tetsObject(item) {
+    const nothing = new THREE.BufferGeometry();
+    nothing.setAttribute('position', new THREE.Float32BufferAttribute([], 3));
+    const object = triangleObject(nothing, null, item.edges, true);
+    const vertices = Float32Array.from(item.vertices);
+    const tets = Uint32Array.from(item.tets);
+    const beyond = dscTets.neighbours(tets, vertices.length / 3);
+    const centres = dscTets.centres(tets, vertices);
+    const colours = item.values.map(value => scaleColour((value - item.worst) / (item.best - item.worst)));
+    const box = new THREE.Box3().setFromArray(vertices);
+    const isShown = new Uint8Array(item.values.length);
+    object.frustumCulled = object.children[0].frustumCulled = false;
+
+    object.cutOpen = () => {
+      const lower = box.min.getComponent(cut.axis);
+      const upper = box.max.getComponent(cut.axis);
+      const side = cutSides[cut.axis];
+      const plane = side > 0 ? upper + cut.position * (lower - upper) : lower + cut.position * (upper - lower);
+      const limit = cut.limit < 1 ? item.worst + cut.limit * (item.best - item.worst) : Infinity;
+      for (let t = 0; t < isShown.length; ++t) {
+        isShown[t] = side * (centres[3 * t + cut.axis] - plane) <= 0 && item.values[t] <= limit;
+      }
+      const shell = dscTets.shell(tets, beyond, isShown);
+      const positions = new Float32Array(3 * shell.corners.length);
+      shell.corners.forEach((vertex, i) => positions.set(vertices.subarray(3 * vertex, 3 * vertex + 3), 3 * i));
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+      geometry.computeVertexNormals();
+      const normals = geometry.attributes.normal.array;
+      const cornerColours = new Float32Array(positions.length);
+      shell.corners.forEach((vertex, i) => {
+        const shade = shadeOf(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+        colours[shell.tets[Math.floor(i / 3)]].clone().multiplyScalar(shade).toArray(cornerColours, 3 * i);
+      });
+      geometry.setAttribute('color', new THREE.BufferAttribute(cornerColours, 3));
+      for (const part of [object, object.children[0]]) part.geometry.dispose();
+      object.geometry = geometry;
+      object.children[0].geometry = new THREE.WireframeGeometry(geometry);
+      object.shownTets = shell.tets;
+    };
+    object.labelOf = triangle => {
+      const t = object.shownTets[triangle];
+      const centre = Array.from(centres.subarray(3 * t, 3 * t + 3), x => Number(x.toPrecision(5)));
+      return `${item.valueName} ${item.values[t]}\nat (${centre.join(', ')})`;
+    };
+    object.setOpacity(1);
     return object;
   }
 
@@ -133,6 +211,11 @@
       const object = surfaceObject(surface, description.flat);
       view.surfaces.push(object);
       addItem(surface, object);
+    }
+    if (description.tets) {
+      view.tets = tetsObject(description.tets);
+      view.surfaces.push(view.tets);
+      addItem({ name: description.tets.name, colour: scaleGradient, visible: true }, view.tets);
     }
     for (const item of description.lines) addItem(item, lineObject(item.lines, lineMaterial(item.colour, item.width)));
     for (const item of description.series) {
@@ -162,6 +245,7 @@
       }
     };
     for (const surface of view.description.surfaces) extend(surface.vertices);
+    if (view.description.tets) extend(view.description.tets.vertices);
     for (const item of view.description.lines) item.lines.forEach(extend);
     for (const item of view.description.points) extend(item.positions);
     for (const item of view.description.series) item.frames.forEach(frame => frame.forEach(extend));
@@ -297,11 +381,16 @@
       element('picked').textContent = label;
       return;
     }
-    if (!current.description.fan) return;
+    if (!current.description.fan && !current.tets) return;
     const rectangle = canvas.getBoundingClientRect();
     const pointer = new THREE.Vector2(2 * x / rectangle.width - 1, 1 - 2 * y / rectangle.height);
     const caster = new THREE.Raycaster();
     caster.setFromCamera(pointer, current.camera);
+    if (current.tets) {
+      const [hit] = caster.intersectObject(current.tets);
+      element('picked').textContent = hit ? current.tets.labelOf(hit.faceIndex) : '';
+      return;
+    }
     const hits = caster.intersectObjects(current.surfaces);
     if (hits.length > 0) {
       pick(hits[0].point);
@@ -364,17 +453,75 @@
     slider.oninput();
   }
 
+  function addSlider(holder, value, describe, take) {
+    const text = make('label', holder, describe(value));
+    const slider = make('input', holder);
+    Object.assign(slider, { type: 'range', min: 0, max: 1, step: 0.005 });
+    slider.value = value;
+    slider.oninput = () => {
+      take(Number(slider.value));
+      text.textContent = describe(Number(slider.value));
+      slider.setAttribute('aria-label', text.textContent);
+      cutOpen();
+    };
+    slider.setAttribute('aria-label', text.textContent);
+  }
+
+  function cutOpen() {
+    current.tets.cutOpen();
+    draw();
+  }
+
+  // How the tetrahedra are cut open, and the scale of their colours.
+  function showCut() {
+    const holder = element('cut');
+    holder.textContent = '';
+    if (!current.tets) return;
+    const item = current.description.tets;
+    const number = value => Number(value.toPrecision(3));
+    const row = make('label', holder, 'cut across');
+    const axes = make('select', row);
+    for (const name of ['x', 'y', 'z']) make('option', axes, name);
+    axes.selectedIndex = cut.axis;
+    axes.onchange = () => {
+      cut.axis = axes.selectedIndex;
+      cutOpen();
+    };
+    addSlider(holder, cut.position, value => `cut away ${Math.round(100 * value)} %`, value => { cut.position = value; });
+    addSlider(holder, cut.limit,
+              value => value < 1 ? `${item.valueName} up to ${number(item.worst + value * (item.best - item.worst))}`
+                                 : `any ${item.valueName}`,
+              value => { cut.limit = value; });
+    const scale = make('div', holder);
+    scale.className = 'scale';
+    scale.style.background = scaleGradient;
+    for (const value of [item.worst, item.best]) make('span', scale, number(value));
+    cutOpen();
+  }
+
+  // The view is seen from where the one before it was seen from.
+  function followCamera(view, previous) {
+    view.camera.position.copy(previous.camera.position);
+    view.camera.zoom = previous.camera.zoom;
+    view.controls.target.copy(previous.controls.target);
+    view.controls.update();
+  }
+
   function show(index) {
-    if (current) current.controls.enabled = false;
+    const previous = current;
+    if (previous) previous.controls.enabled = false;
     current = views[index];
+    if (scene.sharesCamera && previous) followCamera(current, previous);
     current.controls.enabled = true;
     Array.from(element('views').children).forEach((button, i) => button.setAttribute('aria-pressed', i === index));
     element('picked').textContent = '';
     element('help').textContent = (current.description.flat ? 'Drag to move, wheel to zoom.'
       : 'Drag to turn, wheel to zoom, right button to move.') +
-      (current.description.fan ? ` Click to show: ${current.description.fan.name}.` : '');
+      (current.description.fan ? ` Click to show: ${current.description.fan.name}.` : '') +
+      (current.tets ? ` Click a cell to see its ${current.description.tets.valueName}.` : '');
     showLegend();
     showSlider();
+    showCut();
     draw();
   }
 

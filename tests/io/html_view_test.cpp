@@ -21,11 +21,19 @@ HtmlPage example() {
                              .triangles = {{0, 1, 2}},
                              .colours = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                              .opacity = 0.5});
+    view.tets = ViewTets{.name = nasty,
+                         .vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.0 / 3}},
+                         .tets = {{0, 1, 2, 3}},
+                         .values = {0.25},
+                         .value_name = nasty};
     view.lines.push_back({.name = "arcs", .lines = {line, {}}});
     view.points.push_back({.name = "p", .positions = {{0, 0, 0}}, .labels = {nasty}});
     view.series.push_back({.name = "front", .times = {0.5, 1}, .frames = {{line}, {line, line}}});
     view.fan = ViewFan{.name = "geodesics", .rays = {line}, .values = {{0, 1, 2, 3}}, .labels = {"θ = 0"}};
-    return {.title = nasty, .facts = {{"length", nasty}}, .views = {view, HtmlView{.name = "chart", .is_flat = true}}};
+    return {.title = nasty,
+            .facts = {{"length", nasty}},
+            .figure = "<svg>" + nasty + "</svg>",
+            .views = {view, HtmlView{.name = "chart", .is_flat = true}}};
 }
 
 // The text of the JSON element as a browser sees it: up to the next "</script".
@@ -66,6 +74,12 @@ TEST_CASE("the scene in the page is the scene that was given, whatever texts it 
     CHECK(view["surfaces"][0]["triangles"].size() == 3);
     CHECK(view["surfaces"][0]["colours"].size() == 9);
     CHECK(view["surfaces"][0]["opacity"].number() == 0.5);
+    CHECK(view["tets"]["name"].string() == nasty);
+    CHECK(view["tets"]["valueName"].string() == nasty);
+    CHECK(view["tets"]["vertices"].size() == 12);
+    CHECK(view["tets"]["tets"] == Json::array({0, 1, 2, 3}));
+    CHECK(view["tets"]["values"][0].number() == 0.25);
+    CHECK(view["tets"]["best"].number() == 1);
     CHECK(view["lines"][0]["lines"][0].size() == 12);
     CHECK(view["lines"][0]["lines"][0][6].is_null());
     CHECK(view["lines"][0]["lines"][1].size() == 0);
@@ -73,17 +87,20 @@ TEST_CASE("the scene in the page is the scene that was given, whatever texts it 
     CHECK(view["series"][0]["frames"][1].size() == 2);
     CHECK(view["fan"]["values"][0].size() == 4);
     CHECK(scene["views"][1]["fan"].is_null());
+    CHECK(scene["views"][1]["tets"].is_null());
+    CHECK(scene["figure"].string() == "<svg>" + nasty + "</svg>");
+    CHECK_FALSE(scene["sharesCamera"].boolean());
 }
 
 TEST_CASE("no text of the scene can end its element or begin another one") {
     const std::string page = html_page(example());
-    // One element for the scene, six for three.js, its parts and the viewer.
-    CHECK(count(page, "</script") == 7);
-    CHECK(count(markup_of(page), "<script") == 7);
+    // One element for the scene, seven for three.js, its parts and the viewer.
+    CHECK(count(page, "</script") == 8);
+    CHECK(count(markup_of(page), "<script") == 8);
     CHECK(count(markup_of(page), "alert(1)") == count(markup_of(page), "&lt;script&gt;alert(1)&lt;/script&gt;"));
     HtmlPage with_script = example();
     with_script.script = "const text = '</script><!--';";
-    CHECK(count(html_page(with_script), "</script") == 8);
+    CHECK(count(html_page(with_script), "</script") == 9);
 }
 
 TEST_CASE("the page loads nothing and keeps the licence of three.js") {
