@@ -30,6 +30,7 @@ public:
     public:
         virtual ~Follower() = default;
         virtual void resize(std::size_t count) = 0;
+        virtual void reset(std::size_t index) = 0;
         virtual void compact(std::span<const std::uint32_t> new_to_old) = 0;
     };
 
@@ -42,6 +43,10 @@ public:
         if (count == size_) return;
         size_ = count;
         for (Follower* follower : followers_) follower->resize(count);
+    }
+    /// Called by the mesh when a freed element is used again: it is a new one, with the default values.
+    void reset(Handle handle) {
+        for (Follower* follower : followers_) follower->reset(handle.index());
     }
     /// Called by the mesh after compaction: element i of the new numbering was element new_to_old[i].
     void compact(std::span<const std::uint32_t> new_to_old) {
@@ -92,6 +97,7 @@ public:
 
 private:
     void resize(std::size_t count) override { values_.resize(count, default_); }
+    void reset(std::size_t index) override { values_[index] = default_; }
     void compact(std::span<const std::uint32_t> new_to_old) override {
         std::vector<T> kept;
         kept.reserve(new_to_old.size());

@@ -67,3 +67,28 @@ TEST_CASE("the bound decides nearly always, and as the exact predicate does") {
         if (is_counterclockwise(a, b, c)) REQUIRE(in_circle(a, b, c, d) == detail::exact_in_circle(a, b, c, d));
     }
 }
+
+TEST_CASE("orientation in space is antisymmetric and exact, in degenerate positions too") {
+    dsc::core::Random random(dsc::tests::seed(4));
+    const auto coordinate = [&] { return (1.0 + static_cast<double>(random.below(4)) * 0x1.0p-50) / 3.0; };
+    const auto point = [&] {
+        const double x = coordinate(), y = coordinate(), z = coordinate();
+        return Point3(x, y, z);
+    };
+    int zeros = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Point3 a = point(), b = point(), c = point(), d = point();
+        const Sign sign = orientation(a, b, c, d);
+        REQUIRE(orientation(b, c, a, d) == sign);
+        REQUIRE(orientation(b, a, c, d) == opposite(sign));
+        REQUIRE(orientation(a, b, d, c) == opposite(sign));
+        REQUIRE(detail::exact_orientation(a, b, c, d) == sign);
+        zeros += sign == Sign::zero ? 1 : 0;
+    }
+    CHECK(zeros > 100);
+    CHECK(orientation(Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(0, 0, 1)) == Sign::positive);
+    const Point3 a(12, 12, 12), b(24, 24, 24), c(12, 24, 18);
+    CHECK(orientation(a, b, c, Point3(0.5, 0.5, 0.5)) == Sign::zero);
+    CHECK(orientation(a, b, c, Point3(0.5, 0.5, std::nextafter(0.5, 1.0))) !=
+          orientation(a, b, c, Point3(0.5, 0.5, std::nextafter(0.5, 0.0))));
+}

@@ -29,7 +29,8 @@ TEST_CASE("the smallest and largest angle bound the third, and all sum to pi") {
     for (int i = 0; i < 2000; ++i) {
         const auto point = [&] { return Point2(random.uniform(), random.uniform()); };
         const Point2 a = point(), b = point(), c = point();
-        const double angles[3] = {angle_between(b - a, c - a), angle_between(c - b, a - b), angle_between(a - c, b - c)};
+        const double angles[3] = {angle_between(b - a, c - a), angle_between(c - b, a - b),
+                                  angle_between(a - c, b - c)};
         REQUIRE(angles[0] + angles[1] + angles[2] == Approx(pi));
         REQUIRE(min_angle(a, b, c) == Approx(std::min({angles[0], angles[1], angles[2]})).margin(1e-12));
         REQUIRE(max_angle(a, b, c) == Approx(std::max({angles[0], angles[1], angles[2]})));

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dsc3d/operations/edge_collapse.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dsc::dsc3d {
+
+namespace {
+
+VertexId other_end(const Complex& complex, EdgeId e, VertexId v) {
+    const EdgeVertices& ends = complex.vertices(e);
+    return ends[0] == v ? ends[1] : ends[0];
+}
+
+bool contains(const std::vector<VertexId>& sorted, VertexId v) {
+    return std::binary_search(sorted.begin(), sorted.end(), v);
+}
+
+// Vertices joined to v by an edge of the surface.
+void surface_neighbours(const Complex& complex, std::span<const TetId> star, VertexId v, std::vector<VertexId>& found) {
+    found.clear();
+    for (const TetId t : star) {
+        for (int i = 0; i < 4; ++i) {
+            const FaceId f = complex.faces(t)[static_cast<std::size_t>(i)];
+            if (complex.vertices(t)[static_cast<std::size_t>(i)] == v || !complex.is_surface(f)) continue;
+            for (const VertexId u : complex.vertices(f))
+                if (u != v) found.push_back(u);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+void intersect(std::vector<VertexId>& a, std::vector<VertexId>& b, std::vector<VertexId>& common) {
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    common.clear();
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+}
+
+}  // namespace
+
+bool EdgeCollapse::keeps_topology(const Complex& complex, EdgeId e, VertexId kept, StarWalker& walker) {
+    const VertexId gone = other_end(complex, e, kept);
+    if (!complex.is_surface(e) && complex.is_surface(kept) && complex.is_surface(gone)) return false;
+
+    // Vertices: the common neighbours of the ends are the link of the edge.
+    gather_ring(complex, e, ring_);
+    link_ = ring_.link;
+    if (ring_.is_closed) link_.pop_back();
+    std::sort(link_.begin(), link_.end());
+    const std::span<const TetId> star = walker.star(gone, around_gone_);
+    star_of_gone_.assign(star.begin(), star.end());
+    const std::span<const TetId> star_of_kept = walker.star(kept, around_kept_);
+    intersect(around_kept_, around_gone_, common_);
+    if (common_ != link_) return false;
+
+    // Edges and faces: an edge xy or a face xyz that both ends see has to belong to the link of the edge too. With
+    // x, y (and z) common neighbours, faces gone x y and kept x y, but no tetrahedron at the edge with x y.
+    const auto is_in_ring = [&](VertexId x, VertexId y) {
+        return std::any_of(ring_.tets.begin(), ring_.tets.end(),
+                           [&](TetId t) { return complex.has_vertex(t, x) && complex.has_vertex(t, y); });
+    };
+    const auto sees = [&](VertexId x, VertexId y) {
+        return std::any_of(star_of_kept.begin(), star_of_kept.end(),
+                           [&](TetId t) { return complex.has_vertex(t, x) && complex.has_vertex(t, y); });
+    };
+    for (const TetId t : star_of_gone_) {
+        if (complex.has_vertex(t, kept)) continue;
+        std::array<VertexId, 3> shared;
+        std::size_t count = 0;
+        for (const VertexId v : complex.vertices(t))
+            if (v != gone && contains(link_, v)) shared[count++] = v;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = i + 1; j < count; ++j)
+                if (sees(shared[i], shared[j]) && !is_in_ring(shared[i], shared[j])) return false;
+        if (count == 3 && std::any_of(star_of_kept.begin(), star_of_kept.end(), [&](TetId s) {
+                return complex.has_vertex(s, shared[0]) && complex.has_vertex(s, shared[1]) &&
+                       complex.has_vertex(s, shared[2]);
+            }))
+            return false;
+    }
+    if (!complex.is_surface(e)) return true;
+
+    // In the surface: its common neighbours are the apexes of the surface faces at the edge.
+    surface_neighbours(complex, star_of_kept, kept, around_kept_);
+    surface_neighbours(complex, star_of_gone_, gone, around_gone_);
+    intersect(around_kept_, around_gone_, common_);
+    return common_.size() == complex.surface_degree(e);
+}
+
+bool EdgeCollapse::keeps_surface(const RatedMesh& mesh, EdgeId e, VertexId kept) {
+    const Complex& complex = mesh.complex();
+    switch (mesh.surface().motion(other_end(complex, e, kept))) {
+        case VertexMotion::free: return true;
+        case VertexMotion::plane: return complex.is_surface(e);
+        case VertexMotion::line: return complex.is_surface(e) && mesh.surface().is_ridge(complex, e, ring_);
+        case VertexMotion::fixed: break;
+    }
+    return false;
+}
+
+bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enough, Proposal& proposal) {
+    const Complex& complex = mesh.complex();
+    if (!keeps_surface(mesh, e, kept)) return false;
+    const VertexId gone = other_end(complex, e, kept);
+    const std::span<const TetId> star = mesh.walker().star(gone);
+    proposal.clear();
+    proposal.removed.assign(star.begin(), star.end());
+    proposal.quality_before = mesh.worst_quality(star);
+    proposal.quality_after = std::numeric_limits<double>::infinity();
+    const double threshold = std::max(0.0, std::min(proposal.quality_before, enough));
+    for (const TetId t : star) {
+        const TetVertices& corners = complex.vertices(t);
+        const int place = complex.index_of(t, gone);
+        if (!complex.has_vertex(t, kept)) {
+            NewTet tet = {corners, complex.label(t)};
+            tet.vertices[static_cast<std::size_t>(place)] = kept;
+            proposal.quality_after = std::min(proposal.quality_after, mesh.rate(tet.vertices));
+            if (proposal.quality_after <= threshold) return false;
+            proposal.added.push_back(tet);
+        }
+        if (mesh.surface().motion(gone) == VertexMotion::free) continue;
+        for (int i = 0; i < 4; ++i) {
+            const FaceId f = complex.faces(t)[static_cast<std::size_t>(i)];
+            if (i == place || !complex.is_surface(f)) continue;
+            FaceVertices face = complex.vertices(f);
+            if (std::find(face.begin(), face.end(), kept) != face.end()) continue;
+            std::replace(face.begin(), face.end(), gone, kept);
+            proposal.surface.emplace_back(face, mesh.surface().patch(f));
+        }
+    }
+    return !proposal.added.empty() && keeps_topology(complex, e, kept, mesh.walker());
+}
+
+}  // namespace dsc::dsc3d

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edge removal: the tetrahedra around an edge ab give way to two tetrahedra, one at a and one at b, per triangle of the
+// best triangulation of the edge's link. Generalizes the 3-2, 4-4 and 2-2 flips. On the boundary and on interfaces it
+// works where the two surface faces at the edge belong to one flat patch: they are exchanged for the other two.
+// Source: thesis 3.2.2, 3.3; Shewchuk, "Two discrete optimization algorithms for the topological improvement of
+// tetrahedral meshes"; Klincsek's dynamic program. Cost: n^3 / 3 ratings for a ring of n, fewer with a threshold.
+#pragma once
+
+#include <optional>
+
+#include "dsc3d/operations/rated_mesh.h"
+
+namespace dsc::dsc3d {
+
+class EdgeRemoval {
+public:
+    /// Longer rings are left alone: an edge of so many tetrahedra never makes a good set of new ones.
+    static constexpr int max_ring = 24;
+
+    /// Fills `proposal` with the best way to remove e whose worst tetrahedron is better than `wanted`, if there is one;
+    /// by default better than the worst of those that go.
+    bool propose(const RatedMesh& mesh, EdgeId e, Proposal& proposal, std::optional<double> wanted = {});
+
+private:
+    bool add_arc(const RatedMesh& mesh, std::size_t begin, std::size_t vertices, double threshold, Proposal& proposal);
+
+    EdgeRing ring_;
+};
+
+}  // namespace dsc::dsc3d

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the surface (boundary and interfaces) may be changed without moving it. Its faces are gathered in flat patches;
+// a vertex is free inside a region, slides in the plane of its patch, slides on a straight ridge, or is fixed.
+//
+// Source: thesis 3.3 ("sufficiently flat", "straight ridges"). Guarantee: all vertices of a patch lie within half the
+// tolerance of one plane, all vertices of a ridge within half of it of one segment, and planes and segments are those
+// of the input however often vertices move: the surface stays within the tolerance of the input surface. Cost: linear
+// in the surface to make; queries are array reads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/attribute.h"
+#include "dsc3d/complex/traversal.h"
+#include "dsc3d/mesh.h"
+
+namespace dsc::dsc3d {
+
+struct FlatSurfaceParameters {
+    bool may_change = true;     ///< false: every vertex of the surface is fixed, every face a patch of its own
+    double tolerance = 1e-9;    ///< largest move of the surface [diagonals of the bounding box]
+    double feature_angle = 30;  ///< edges bent by more are ridges [degree]
+};
+
+enum class VertexMotion : std::uint8_t { free, plane, line, fixed };
+
+class FlatSurface {
+public:
+    static constexpr std::int32_t no_patch = -1;
+
+    FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& parameters);
+
+    /// The patch of a surface face; faces of two patches are never exchanged.
+    std::int32_t patch(FaceId f) const { return patch_[f]; }
+    void set_patch(FaceId f, std::int32_t patch) { patch_[f] = patch; }
+
+    VertexMotion motion(VertexId v) const { return motion_[v]; }
+    /// `step` reduced to a direction in which v may move.
+    Eigen::Vector3d allowed(VertexId v, const Eigen::Vector3d& step) const;
+    /// `position` put back on the plane or segment of v, whose rounding errors would add up otherwise.
+    Point3 settled(VertexId v, const Point3& position) const;
+
+    /// An edge of the surface that has to stay: not between two faces of one patch.
+    bool is_ridge(const Complex& complex, EdgeId e, EdgeRing& ring) const;
+    /// The patch whose faces meet at the surface edge of `ring`, or no_patch at a ridge.
+    std::int32_t flat_patch(const Complex& complex, const EdgeRing& ring) const;
+
+private:
+    struct Plane {
+        Point3 point;
+        Eigen::Vector3d normal;
+    };
+    struct Line {
+        Point3 point;
+        Eigen::Vector3d direction;
+    };
+
+    class Builder;
+
+    core::Attribute<FaceId, std::int32_t> patch_;
+    core::Attribute<VertexId, VertexMotion> motion_;
+    core::Attribute<VertexId, std::int32_t> carrier_;  ///< plane or line of a vertex that slides
+    std::vector<Plane> planes_;                        ///< by patch
+    std::vector<Line> lines_;
+};
+
+}  // namespace dsc::dsc3d

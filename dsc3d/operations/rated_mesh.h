@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh whose tetrahedra are rated by a quality measure and whose surface may change where it is flat: what operations
+// that improve quality judge and change. A change is proposed first (which tetrahedra go, which come, the worst quality
+// before and after), then applied as one replace.
+//
+// Guarantee: apply() and move() keep every tetrahedron positive by exact predicate, or change nothing and say so.
+// Every change stamps its vertices, so that a schedule visits only what has changed since it looked last.
+// Cost: linear in the cavity; 16 bytes per tetrahedron beside the mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/attribute.h"
+#include "dsc3d/complex/traversal.h"
+#include "dsc3d/mesh.h"
+#include "dsc3d/operations/flat_surface.h"
+#include "geometry/tetrahedron_quality.h"
+
+namespace dsc::dsc3d {
+
+/// The same tetrahedron rated from another vertex differs by rounding: smaller gains than this are none.
+inline constexpr double least_quality_gain = 1e-9;
+
+/// A change of the connectivity. `quality_before` and `quality_after` are the worst of what goes and what comes.
+struct Proposal {
+    std::vector<TetId> removed;
+    std::vector<NewTet> added;
+    /// Patches of the surface faces that come, with their vertices in any order.
+    std::vector<std::pair<FaceVertices, std::int32_t>> surface;
+    double quality_before = 0;
+    double quality_after = 0;
+
+    void clear() {
+        removed.clear();
+        added.clear();
+        surface.clear();
+    }
+    bool is_improvement() const { return quality_after > quality_before + least_quality_gain; }
+};
+
+class RatedMesh {
+public:
+    RatedMesh(Mesh& mesh, geometry::QualityMeasure measure, const FlatSurfaceParameters& parameters);
+
+    Mesh& mesh() { return *mesh_; }
+    const Mesh& mesh() const { return *mesh_; }
+    const Complex& complex() const { return mesh_->complex(); }
+    FlatSurface& surface() { return surface_; }
+    const FlatSurface& surface() const { return surface_; }
+    geometry::QualityMeasure measure() const { return measure_; }
+    /// Rates all tetrahedra anew by another measure.
+    void set_measure(geometry::QualityMeasure measure);
+
+    const Point3& position(VertexId v) const { return mesh_->position(v); }
+    double quality(TetId t) const { return quality_[t]; }
+    double worst_quality(std::span<const TetId> tets) const;
+    double rate(VertexId a, VertexId b, VertexId c, VertexId d) const {
+        return geometry::quality(measure_, position(a), position(b), position(c), position(d));
+    }
+    double rate(const TetVertices& v) const { return rate(v[0], v[1], v[2], v[3]); }
+
+    /// False, and nothing is changed, when a new tetrahedron is not positive by exact predicate.
+    bool apply(const Proposal& proposal);
+    /// Moves a vertex; false, and nothing is changed, when a tetrahedron of `star` (all that have v) would not stay
+    /// positive by exact predicate.
+    bool move(VertexId v, const Point3& position, std::span<const TetId> star);
+
+    /// The number of changes so far, and at the last change of the star of v.
+    std::uint32_t time() const { return time_; }
+    std::uint32_t changed(VertexId v) const { return changed_[v]; }
+
+    StarWalker& walker() { return walker_; }
+
+private:
+    Mesh* mesh_;
+    geometry::QualityMeasure measure_;
+    FlatSurface surface_;
+    core::Attribute<TetId, double> quality_;
+    core::Attribute<VertexId, std::uint32_t> changed_;
+    std::uint32_t time_ = 1;
+    StarWalker walker_;
+};
+
+}  // namespace dsc::dsc3d
