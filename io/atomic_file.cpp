@@ -93,24 +93,36 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(std::string_view text) {
-    buffer_.append(text);
-    if (buffer_.size() >= buffer_size) flush();
+    if (buffer_.size() + text.size() >= buffer_size) flush();
+    if (text.size() >= buffer_size) {
+        hand_over(text);
+    } else {
+        buffer_.append(text);
+    }
 }
 
 void AtomicFile::flush() {
-    std::string_view rest = buffer_;
-    while (!rest.empty()) {
-        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail("writing failed");
-        rest.remove_prefix(static_cast<std::size_t>(written));
-    }
+    hand_over(buffer_);
     buffer_.clear();
 }
 
-void AtomicFile::commit() {
+void AtomicFile::hand_over(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(descriptor_, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("writing failed");
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void AtomicFile::finish() {
+    if (descriptor_ < 0) return;
     flush();
     if (::close(std::exchange(descriptor_, -1)) != 0) fail("closing failed");
+}
+
+void AtomicFile::commit() {
+    finish();
     if (aside_.empty()) return;
     if (std::rename(aside_.c_str(), target_.c_str()) != 0) fail("renaming the finished file failed");
     aside_.clear();
@@ -135,6 +147,11 @@ std::string read_file(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) reject_reading(errno);
     std::string text;
+    // Growing step by step would need up to three times the memory of a large file.
+    struct stat status {};
+    if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
+        text.reserve(static_cast<std::size_t>(status.st_size));
+    }
     char block[buffer_size];
     ssize_t count = 0;
     while ((count = ::read(descriptor, block, sizeof block)) != 0) {

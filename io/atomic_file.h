@@ -24,6 +24,9 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     void write(std::string_view text);
+    /// Hands everything to the system, so that commit() has only to rename; nothing can be written afterwards. For
+    /// files that belong together: finish all, then commit all.
+    void finish();
     /// Makes the file visible at its path; nothing can be written afterwards.
     void commit();
 
@@ -31,6 +34,7 @@ public:
 
 private:
     void flush();
+    void hand_over(std::string_view text);
     [[noreturn]] void fail(const char* what);
 
     std::filesystem::path path_;    // as given, for messages

@@ -89,3 +89,34 @@ TEST_CASE("a folder for output is created, but not its parents") {
     CHECK(std::filesystem::is_empty(folder / "new"));
     CHECK_THROWS_AS(require_writable_folder(folder / "a/b"), dsc::core::InputError);
 }
+
+TEST_CASE("a finished file appears only when it is committed") {
+    const TemporaryFolder folder;
+    write_file(folder / "a", "old");
+    {
+        AtomicFile file(folder / "a");
+        file.write("new");
+        file.finish();
+        CHECK(read_file(folder / "a") == "old");
+    }
+    CHECK(read_file(folder / "a") == "old");
+    AtomicFile file(folder / "a");
+    file.write("new");
+    file.finish();
+    file.commit();
+    CHECK(read_file(folder / "a") == "new");
+    CHECK(folder.content() == Names{"a"});
+}
+
+TEST_CASE("small and large texts stay in their order") {
+    const TemporaryFolder folder;
+    std::string all;
+    AtomicFile file(folder / "a");
+    for (const std::size_t size : {1, 70000, 3, 65535, 65536, 200000, 2}) {
+        const std::string text(size, static_cast<char>('a' + all.size() % 26));
+        file.write(text);
+        all += text;
+    }
+    file.commit();
+    CHECK(read_file(folder / "a") == all);
+}
