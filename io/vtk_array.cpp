@@ -69,11 +69,21 @@ void append_vtk_array(std::string& text, std::string_view name, std::span<const 
     append_array(text, "Int64", name, 1, values, encoding);
 }
 
-std::string vtk_document(std::string_view type, std::string_view pieces) {
+void append_vtk_array(std::string& text, std::string_view name, std::span<const std::uint8_t> values,
+                      VtkEncoding encoding) {
+    append_array(text, "UInt8", name, 1, values, encoding);
+}
+
+std::string vtk_document_head(std::string_view type) {
     const std::string name(type);
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + name +
-           "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" + name + ">\n" +
-           std::string(pieces) + "</" + name + ">\n</VTKFile>\n";
+           "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" + name + ">\n";
+}
+
+std::string vtk_document_tail(std::string_view type) { return "</" + std::string(type) + ">\n</VTKFile>\n"; }
+
+std::string vtk_document(std::string_view type, std::string_view pieces) {
+    return vtk_document_head(type) + std::string(pieces) + vtk_document_tail(type);
 }
 
 }  // namespace dsc::io
