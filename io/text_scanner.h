@@ -2,7 +2,7 @@
 // Words and numbers of a text, one after the other, for the readers of text files.
 // Guarantee: what is wrong throws core::InputError with the source, the line and the cure, in one line whatever the
 // text contains. Numbers are finite, read independently of the locale and exactly (the nearest double). Nothing is
-// allocated but for a message. Cost: one pass over the text, some 20 ns per number.
+// allocated but for a message. Cost: one pass over the text, some 30 ns per number.
 //
 //     io::TextScanner scanner("house.node", text, {.comment = '#'});
 //     const std::size_t count = scanner.count("vertices", 8);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/vtk_array.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <type_traits>
@@ -14,17 +15,16 @@ static_assert(std::endian::native == std::endian::little, "the binary arrays are
 
 std::string base64(std::string_view bytes) {
     static constexpr char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
+    std::string text((bytes.size() + 2) / 3 * 4, '=');
+    auto out = text.begin();
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
         std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            const bool is_padding = i + k > bytes.size();
-            text += is_padding ? '=' : alphabet[group >> (18 - 6 * k) & 63];
-        }
+        for (std::size_t k = 0; k < count; ++k)
+            group |= std::uint32_t{static_cast<unsigned char>(bytes[i + k])} << (16 - 8 * k);
+        for (std::size_t k = 0; k <= count; ++k)
+            out[static_cast<std::ptrdiff_t>(k)] = alphabet[group >> (18 - 6 * k) & 63];
+        out += 4;
     }
     return text;
 }

@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "core/errors.h"
 #include "io/tet/formats.h"
 #include "io/tet/row_writer.h"
 #include "io/tet/vtk_cells.h"

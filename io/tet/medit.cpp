@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/errors.h"
 #include "io/tet/assembly.h"
 #include "io/tet/formats.h"
 #include "io/tet/row_writer.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TetGen's pair of files. Source: H. Si, TetGen manual 1.5, sections 5.2.1 (.node) and 5.2.3 (.ele).
-#include "core/errors.h"
 #include "io/tet/assembly.h"
 #include "io/tet/formats.h"
 #include "io/tet/row_writer.h"

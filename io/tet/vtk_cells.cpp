@@ -85,7 +85,9 @@ void read_vtk_cells(VtkCells& cells, TetAssembly& assembly) {
                               "make linear tetrahedra (ParaView: filter Tetrahedralize)");
         }
     }
+    cells.types->require_end();
     cells.connectivity->require_end();
+    if (cells.labels) cells.labels->require_end();
 }
 
 }  // namespace dsc::io::tet

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // VTK's XML unstructured grids. Source: the VTK file formats document, "XML file formats".
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <pugixml.hpp>
@@ -229,7 +229,6 @@ private:
                        .labels = open_labels(piece.child("CellData"), count),
                        .count = count};
         read_vtk_cells(cells, assembly_);
-        cells.types->require_end();
     }
 
     std::unique_ptr<NumberStream> open_labels(pugi::xml_node parent, std::size_t count) const {
@@ -237,7 +236,8 @@ private:
         std::optional<int> best_rank;
         for (const pugi::xml_node array : parent.children("DataArray")) {
             const std::optional<int> rank = label_rank(array.attribute("Name").value());
-            if (!rank || (best_rank && *best_rank <= *rank)) continue;
+            const bool is_scalar = array.attribute("NumberOfComponents").as_int(1) == 1;
+            if (!rank || !is_scalar || (best_rank && *best_rank <= *rank)) continue;
             best = array;
             best_rank = rank;
         }

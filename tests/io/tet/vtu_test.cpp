@@ -169,7 +169,8 @@ TEST_CASE("a VTU file as text, and which array has the labels") {
     CHECK(data.vertices.size() == 5);
     CHECK(data.tets == std::vector<std::array<std::uint32_t, 4>>{{0, 1, 2, 3}, {1, 2, 3, 4}});
     CHECK(data.labels == std::vector<int>{10, 20});
-    CHECK(read_text("m.vtu", with(ascii, "\"region\"", "\"other\"")).labels == std::vector<int>{1, 2});
+    CHECK(read_text("m.vtu", with(ascii, "\"region\"", "\"region\" NumberOfComponents=\"2\"")).labels ==
+          std::vector<int>{1, 2});
     CHECK(read_text("m.vtu", with(with(ascii, "\"region\"", "\"x\""), "gmsh:physical", "y")).labels.empty());
 }
 
@@ -191,6 +192,7 @@ TEST_CASE("a wrong VTU file is refused with its element") {
     CHECK_THAT(error("10 10<", "10 12<"), Contains("array \"types\": the cell is a hexahedron (type 12); make linear"));
     CHECK_THAT(error("10 10<", "10 24<"), Contains("a tetrahedron of higher order (type 24)"));
     CHECK_THAT(error("10.0 20<", "10.5 20<"), Contains("array \"region\": a label is not a whole number"));
+    CHECK_THAT(error("10.0 20<", "10 20 30<"), Contains("array \"region\": there are more numbers than announced"));
     CHECK_THAT(error("\"types\"", "\"kinds\""), Contains("element \"Cells\": has no array \"types\""));
     CHECK_THAT(error("Components=\"3\"", "Components=\"2\""), Contains("points do not have 3 components"));
     CHECK_THAT(error_of("m.vtu", with(with(ascii, "10 10<", "10 5<"), "4 8<", "4 7<")),
