@@ -14,12 +14,14 @@
 // existing vertices. Cells of lower dimension are left out; volume cells of another kind, and whatever else can't be
 // read, throw core::InputError with file, line (or number of the element) and cure. No count in a file is believed
 // beyond what the file has room for. Coordinates are the same doubles after writing and reading. Files are written
-// aside and renamed, the two of TetGen only when both are complete. Orientation: the mesh as a whole is turned, by
-// exchanging the last two vertices of every tetrahedron, when its total signed volume, the sum of det[b - a, c - a, d -
-// a], is negative. So TetGen's files, whose convention is the opposite one, and mirrored files come out positive;
-// single inverted or flat tetrahedra stay, for the mesh to find, as do faces with more than two tetrahedra. TetGen's
-// files are written with TetGen's sign (< 0), the others with > 0. Cost: linear, below a second per million tetrahedra;
-// the peak of the memory is about the file and the data.
+// aside and renamed, the two of TetGen only when both are complete.
+//
+// Orientation: the mesh as a whole is turned, by exchanging the last two vertices of every tetrahedron, when its total
+// signed volume, the sum of det[b - a, c - a, d - a], is negative. So TetGen's files, whose convention is the opposite
+// one, and mirrored files come out positive; single inverted or flat tetrahedra stay, for the mesh to find, as do faces
+// with more than two tetrahedra. TetGen's files are written with TetGen's sign (< 0), the others with > 0.
+//
+// Cost: linear, below a second per million tetrahedra; the peak of the memory is about the file and the data.
 //
 //     io::TetMeshFile mesh = io::read_tet_mesh("house.node");
 //     improve(mesh.data);
