@@ -133,11 +133,11 @@ int radius_ratio_terms(const Shape& shape, std::array<QualityTerm, 6>& terms) {
 
 }  // namespace
 
-double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d, double bias) {
     const Shape shape(a, b, c, d);
     switch (measure) {
         case QualityMeasure::minimum_sine: return least_sine(shape, 1);
-        case QualityMeasure::minimum_biased_sine: return least_sine(shape, obtuse_bias);
+        case QualityMeasure::minimum_biased_sine: return least_sine(shape, bias);
         case QualityMeasure::volume_length: return volume_length(shape);
         case QualityMeasure::radius_ratio: break;
     }
@@ -145,12 +145,12 @@ double quality(QualityMeasure measure, const Point3& a, const Point3& b, const P
 }
 
 int quality_terms(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                  std::array<QualityTerm, 6>& terms) {
+                  std::array<QualityTerm, 6>& terms, double bias) {
     const Shape shape(a, b, c, d);
     DSC_ASSERT(shape.six_volume > 0);
     switch (measure) {
         case QualityMeasure::minimum_sine: return sine_terms(shape, 1, terms);
-        case QualityMeasure::minimum_biased_sine: return sine_terms(shape, obtuse_bias, terms);
+        case QualityMeasure::minimum_biased_sine: return sine_terms(shape, bias, terms);
         case QualityMeasure::volume_length: return volume_length_terms(shape, terms);
         case QualityMeasure::radius_ratio: break;
     }

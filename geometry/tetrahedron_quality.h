@@ -23,8 +23,9 @@ enum class QualityMeasure : std::uint8_t {
 
 inline constexpr double obtuse_bias = 0.7;
 
-/// Quality of the tetrahedron a, b, c, d.
-double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+/// Quality of the tetrahedron a, b, c, d; `bias` is that of the minimum biased sine.
+double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+               double bias = obtuse_bias);
 
 /// One smooth function of which a quality is the minimum, and its gradient with respect to the first vertex.
 struct QualityTerm {
@@ -35,7 +36,7 @@ struct QualityTerm {
 /// The smooth functions of which the quality is the minimum (six sines, or one ratio); returns their number.
 /// Precondition: positive volume.
 int quality_terms(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                  std::array<QualityTerm, 6>& terms);
+                  std::array<QualityTerm, 6>& terms, double bias = obtuse_bias);
 
 /// Dihedral angles [rad] at the edges ab, ac, ad, bc, bd, cd; above pi or negative when the tetrahedron is inverted.
 std::array<double, 6> dihedral_angles(const Point3& a, const Point3& b, const Point3& c, const Point3& d);

@@ -5,9 +5,10 @@
 
 namespace dsc::dsc3d {
 
-Passes::Passes(RatedMesh& mesh, const PassParameters& parameters)
+Passes::Passes(RatedMesh& mesh, const PassParameters& parameters, const StopCondition* stop)
     : mesh_(mesh),
       parameters_(parameters),
+      stop_(stop),
       smoothing_(parameters.smoothing),
       smoothed_(mesh.complex().vertex_attributes(), 0u),
       removal_tried_(mesh.complex().edge_attributes(), 0u),
@@ -15,7 +16,7 @@ Passes::Passes(RatedMesh& mesh, const PassParameters& parameters)
       collapse_tried_(mesh.complex().edge_attributes(), 0u) {}
 
 void Passes::smooth_all_vertices() {
-    for (std::uint32_t i = 0; i < mesh_.complex().vertex_capacity(); ++i)
+    for (std::uint32_t i = 0; i < mesh_.complex().vertex_capacity() && !is_stopped(i); ++i)
         if (!mesh_.complex().is_deleted(VertexId(i))) smooth(VertexId(i));
 }
 
@@ -32,8 +33,8 @@ void Passes::topological_pass() {
     list.reserve(mesh_.complex().tet_count());
     for (std::uint32_t i = 0; i < mesh_.complex().tet_capacity(); ++i)
         if (!mesh_.complex().is_deleted(TetId(i))) list.push_back(TetId(i));
-    for (const TetId t : list)
-        if (!mesh_.complex().is_deleted(t)) remove_tet(t);
+    for (std::uint32_t i = 0; i < list.size() && !is_stopped(i); ++i)
+        if (!mesh_.complex().is_deleted(list[i])) remove_tet(list[i]);
 }
 
 bool Passes::remove_tet(TetId t) {
@@ -77,7 +78,7 @@ bool Passes::remove_face(FaceId f) {
 }
 
 void Passes::thinning_pass() {
-    for (std::uint32_t i = 0; i < mesh_.complex().edge_capacity(); ++i)
+    for (std::uint32_t i = 0; i < mesh_.complex().edge_capacity() && !is_stopped(i); ++i)
         if (!mesh_.complex().is_deleted(EdgeId(i))) collapse_edge(EdgeId(i));
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/attribute.h"
+#include "dsc3d/improve/stop.h"
 #include "dsc3d/operations/edge_collapse.h"
 #include "dsc3d/operations/edge_removal.h"
 #include "dsc3d/operations/multi_face.h"
@@ -30,7 +31,8 @@ struct PassCounts {
 
 class Passes {
 public:
-    Passes(RatedMesh& mesh, const PassParameters& parameters);
+    /// A pass ends early when `stop`, if there is one, is due.
+    Passes(RatedMesh& mesh, const PassParameters& parameters, const StopCondition* stop = nullptr);
 
     void smooth_all_vertices();
     void topological_pass();
@@ -45,12 +47,17 @@ public:
     bool smooth(VertexId v);
 
     const PassCounts& counts() const { return counts_; }
+    /// After changes were taken back.
+    void set_counts(const PassCounts& counts) { counts_ = counts; }
 
 private:
     bool collapse_edge(EdgeId e, VertexId kept);
+    /// Asked once per simplex; the clock is looked at now and then.
+    bool is_stopped(std::uint32_t i) const { return stop_ != nullptr && i % 256 == 0 && stop_->is_due(); }
 
     RatedMesh& mesh_;
     PassParameters parameters_;
+    const StopCondition* stop_;
     EdgeRemoval edge_removal_;
     MultiFace multi_face_;
     EdgeCollapse collapse_;

@@ -108,6 +108,7 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
     const std::span<const TetId> star = mesh.walker().star(gone);
     proposal.clear();
     proposal.removed.assign(star.begin(), star.end());
+    proposal.gone = gone;
     proposal.quality_before = mesh.worst_quality(star);
     proposal.quality_after = std::numeric_limits<double>::infinity();
     const double threshold = std::max(0.0, std::min(proposal.quality_before, enough));
@@ -128,7 +129,7 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
             FaceVertices face = complex.vertices(f);
             if (std::find(face.begin(), face.end(), kept) != face.end()) continue;
             std::replace(face.begin(), face.end(), gone, kept);
-            proposal.surface.emplace_back(face, mesh.surface().patch(f));
+            proposal.surface.push_back({face, mesh.surface().patch(f)});
         }
     }
     return !proposal.added.empty() && keeps_topology(complex, e, kept, mesh.walker());

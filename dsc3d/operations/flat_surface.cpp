@@ -36,7 +36,7 @@ public:
         }
         for (std::uint32_t i = 0; i < complex_.vertex_capacity(); ++i) {
             const VertexId v(i);
-            if (!complex_.is_deleted(v) && complex_.is_surface(v)) surface_.motion_[v] = VertexMotion::fixed;
+            if (!complex_.is_deleted(v) && complex_.is_surface(v)) surface_.freedom_[v].motion = VertexMotion::fixed;
         }
     }
 
@@ -63,11 +63,10 @@ public:
         for (std::uint32_t i = 0; i < complex_.vertex_capacity(); ++i) {
             const VertexId v(i);
             if (complex_.is_deleted(v) || !complex_.is_surface(v)) continue;
-            surface_.motion_[v] = VertexMotion::fixed;
+            surface_.freedom_[v].motion = VertexMotion::fixed;
             if (!ridges[i].empty()) continue;
             if (const std::optional<std::int32_t> patch = only_patch(walker.star(v), v)) {
-                surface_.motion_[v] = VertexMotion::plane;
-                surface_.carrier_[v] = *patch;
+                surface_.freedom_[v] = {VertexMotion::plane, *patch};
             }
         }
         find_lines(ridges);
@@ -220,8 +219,7 @@ private:
         const auto line = static_cast<std::int32_t>(surface_.lines_.size());
         surface_.lines_.push_back({start, (mesh_.position(chain[end]) - start).normalized()});
         for (std::size_t i = begin + 1; i < end; ++i) {
-            surface_.motion_[chain[i]] = VertexMotion::line;
-            surface_.carrier_[chain[i]] = line;
+            surface_.freedom_[chain[i]] = {VertexMotion::line, line};
         }
     }
 
@@ -236,8 +234,7 @@ private:
 
 FlatSurface::FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& parameters)
     : patch_(mesh.complex().face_attributes(), no_patch),
-      motion_(mesh.complex().vertex_attributes(), VertexMotion::free),
-      carrier_(mesh.complex().vertex_attributes(), -1) {
+      freedom_(mesh.complex().vertex_attributes()) {
     Builder builder(*this, mesh, parameters);
     if (parameters.may_change) {
         builder.find_patches();
@@ -248,14 +245,14 @@ FlatSurface::FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& paramete
 }
 
 Eigen::Vector3d FlatSurface::allowed(VertexId v, const Eigen::Vector3d& step) const {
-    switch (motion_[v]) {
+    switch (freedom_[v].motion) {
         case VertexMotion::free: return step;
         case VertexMotion::plane: {
-            const Eigen::Vector3d& n = planes_[static_cast<std::size_t>(carrier_[v])].normal;
+            const Eigen::Vector3d& n = planes_[static_cast<std::size_t>(freedom_[v].carrier)].normal;
             return step - n.dot(step) * n;
         }
         case VertexMotion::line: {
-            const Eigen::Vector3d& d = lines_[static_cast<std::size_t>(carrier_[v])].direction;
+            const Eigen::Vector3d& d = lines_[static_cast<std::size_t>(freedom_[v].carrier)].direction;
             return d.dot(step) * d;
         }
         case VertexMotion::fixed: break;
@@ -264,12 +261,12 @@ Eigen::Vector3d FlatSurface::allowed(VertexId v, const Eigen::Vector3d& step) co
 }
 
 Point3 FlatSurface::settled(VertexId v, const Point3& position) const {
-    if (motion_[v] == VertexMotion::plane) {
-        const Plane& plane = planes_[static_cast<std::size_t>(carrier_[v])];
+    if (freedom_[v].motion == VertexMotion::plane) {
+        const Plane& plane = planes_[static_cast<std::size_t>(freedom_[v].carrier)];
         return position - plane.normal.dot(position - plane.point) * plane.normal;
     }
-    if (motion_[v] == VertexMotion::line) {
-        const Line& line = lines_[static_cast<std::size_t>(carrier_[v])];
+    if (freedom_[v].motion == VertexMotion::line) {
+        const Line& line = lines_[static_cast<std::size_t>(freedom_[v].carrier)];
         return line.point + line.direction.dot(position - line.point) * line.direction;
     }
     return position;

@@ -29,13 +29,21 @@ class FlatSurface {
 public:
     static constexpr std::int32_t no_patch = -1;
 
+    /// How a vertex may move, and on which plane or line.
+    struct Freedom {
+        VertexMotion motion = VertexMotion::free;
+        std::int32_t carrier = -1;
+    };
+
     FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& parameters);
 
     /// The patch of a surface face; faces of two patches are never exchanged.
     std::int32_t patch(FaceId f) const { return patch_[f]; }
     void set_patch(FaceId f, std::int32_t patch) { patch_[f] = patch; }
 
-    VertexMotion motion(VertexId v) const { return motion_[v]; }
+    VertexMotion motion(VertexId v) const { return freedom_[v].motion; }
+    const Freedom& freedom(VertexId v) const { return freedom_[v]; }
+    void set_freedom(VertexId v, const Freedom& freedom) { freedom_[v] = freedom; }
     /// `step` reduced to a direction in which v may move.
     Eigen::Vector3d allowed(VertexId v, const Eigen::Vector3d& step) const;
     /// `position` put back on the plane or segment of v, whose rounding errors would add up otherwise.
@@ -59,9 +67,8 @@ private:
     class Builder;
 
     core::Attribute<FaceId, std::int32_t> patch_;
-    core::Attribute<VertexId, VertexMotion> motion_;
-    core::Attribute<VertexId, std::int32_t> carrier_;  ///< plane or line of a vertex that slides
-    std::vector<Plane> planes_;                        ///< by patch
+    core::Attribute<VertexId, Freedom> freedom_;
+    std::vector<Plane> planes_;  ///< by patch
     std::vector<Line> lines_;
 };
 

@@ -76,7 +76,7 @@ void MultiFace::collect(const Face& face, std::size_t edges, Proposal& proposal)
     }
 }
 
-bool MultiFace::propose_removal(const RatedMesh& mesh, Proposal& proposal) {
+bool MultiFace::propose_removal(const RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted) {
     if (patch_ != FlatSurface::no_patch) return false;
     // A face stands behind all that were entered from it.
     for (std::size_t i = faces_.size(); i-- > 0;)
@@ -88,7 +88,7 @@ bool MultiFace::propose_removal(const RatedMesh& mesh, Proposal& proposal) {
     collect(root, 3, proposal);
     proposal.quality_before = mesh.worst_quality(proposal.removed);
     proposal.quality_after = after;
-    return proposal.is_improvement();
+    return wanted ? after > *wanted : proposal.is_improvement();
 }
 
 // The edges that only one of the faces has make one loop around them, unless the multi-face is not a disc.

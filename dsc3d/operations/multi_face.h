@@ -26,8 +26,9 @@ public:
     /// Finds the multi-face of f, for the two operations, which are valid until the mesh changes.
     void gather(const RatedMesh& mesh, FaceId f);
 
-    /// The best connected set of faces with f whose removal makes the worst tetrahedron better.
-    bool propose_removal(const RatedMesh& mesh, Proposal& proposal);
+    /// The connected set of faces with f whose removal leaves the best worst tetrahedron, if that is better than
+    /// `wanted`; by default better than before.
+    bool propose_removal(const RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted = {});
 
     /// The best triangulation of the multi-face, if its worst tetrahedron is better than `wanted`; by default better
     /// than before.

@@ -12,12 +12,14 @@ RatedMesh::RatedMesh(Mesh& mesh, geometry::QualityMeasure measure, const FlatSur
       surface_(mesh, parameters),
       quality_(mesh.complex().tet_attributes(), 0.0),
       changed_(mesh.complex().vertex_attributes(), 1u),
-      walker_(mesh.complex()) {
+      walker_(mesh.complex()),
+      transaction_(mesh.complex()) {
     set_measure(measure);
 }
 
-void RatedMesh::set_measure(geometry::QualityMeasure measure) {
+void RatedMesh::set_measure(geometry::QualityMeasure measure, double bias) {
     measure_ = measure;
+    bias_ = bias;
     for (std::uint32_t i = 0; i < complex().tet_capacity(); ++i)
         if (!complex().is_deleted(TetId(i))) quality_[TetId(i)] = rate(complex().vertices(TetId(i)));
 }
@@ -31,24 +33,34 @@ double RatedMesh::worst_quality(std::span<const TetId> tets) const {
 bool RatedMesh::apply(const Proposal& proposal) {
     for (const NewTet& tet : proposal.added)
         if (!mesh_->is_positive(tet.vertices)) return false;
+    if (transaction_.is_open()) {
+        for (const TetId t : proposal.removed) transaction_.note_removal(*mesh_, surface_, t, quality_[t]);
+        if (proposal.gone.is_valid()) transaction_.note_vertex_removal(*mesh_, surface_, proposal.gone);
+    }
+    exchange(proposal.removed, proposal.added, proposal.surface);
+    return true;
+}
+
+void RatedMesh::exchange(std::span<const TetId> removed, std::span<const NewTet> added,
+                         std::span<const SurfaceFace> surface) {
     ++time_;
-    for (const TetId t : proposal.removed)
+    for (const TetId t : removed)
         for (const VertexId v : complex().vertices(t)) changed_[v] = time_;
-    const Complex::Change& change = mesh_->complex().replace(proposal.removed, proposal.added);
-    for (std::size_t i = 0; i < proposal.added.size(); ++i) {
-        quality_[change.added_tets[i]] = rate(proposal.added[i].vertices);
-        for (const VertexId v : proposal.added[i].vertices) changed_[v] = time_;
+    const Complex::Change& change = mesh_->complex().replace(removed, added);
+    for (std::size_t i = 0; i < added.size(); ++i) {
+        quality_[change.added_tets[i]] = rate(added[i].vertices);
+        for (const VertexId v : added[i].vertices) changed_[v] = time_;
+        if (transaction_.is_open()) transaction_.note_new(change.added_tets[i]);
     }
     for (const FaceId f : change.added_faces) {
         if (!complex().is_surface(f)) continue;
         const FaceVertices corners = complex().vertices(f);
-        const auto known = std::find_if(proposal.surface.begin(), proposal.surface.end(), [&](const auto& face) {
-            return std::is_permutation(corners.begin(), corners.end(), face.first.begin());
+        const auto known = std::find_if(surface.begin(), surface.end(), [&](const SurfaceFace& face) {
+            return std::is_permutation(corners.begin(), corners.end(), face.vertices.begin());
         });
-        DSC_ASSERT(known != proposal.surface.end());
-        surface_.set_patch(f, known->second);
+        DSC_ASSERT(known != surface.end());
+        surface_.set_patch(f, known->patch);
     }
-    return true;
 }
 
 bool RatedMesh::move(VertexId v, const Point3& position, std::span<const TetId> star) {
@@ -60,11 +72,40 @@ bool RatedMesh::move(VertexId v, const Point3& position, std::span<const TetId> 
         return false;
     }
     ++time_;
+    if (transaction_.is_open()) transaction_.note_move(v, before);
     for (const TetId t : star) {
-        quality_[t] = rate(complex().vertices(t));
-        for (const VertexId u : complex().vertices(t)) changed_[u] = time_;
+        if (transaction_.is_open()) transaction_.note_change(t, quality_[t]);
+        rate_again(t);
     }
     return true;
+}
+
+void RatedMesh::rate_again(TetId t) {
+    quality_[t] = rate(complex().vertices(t));
+    for (const VertexId v : complex().vertices(t)) changed_[v] = time_;
+}
+
+void RatedMesh::roll_back() {
+    Transaction& taken = transaction_;
+    for (std::size_t i = taken.removed_vertices_.size(); i-- > 0;) {
+        const Transaction::RemovedVertex& gone = taken.removed_vertices_[i];
+        [[maybe_unused]] const VertexId v = mesh_->complex().add_vertex();
+        DSC_ASSERT(v == gone.vertex);
+        mesh_->set_position(gone.vertex, gone.position);
+        surface_.set_freedom(gone.vertex, gone.freedom);
+    }
+    for (const auto& [v, position] : taken.moves_) mesh_->set_position(v, position);
+    std::vector<TetId> added;
+    ++time_;
+    for (const TetId t : taken.touched()) {
+        if (taken.is_added(t)) {
+            added.push_back(t);
+        } else {
+            rate_again(t);
+        }
+    }
+    taken.close();
+    exchange(added, taken.originals_, taken.original_surface_);
 }
 
 }  // namespace dsc::dsc3d

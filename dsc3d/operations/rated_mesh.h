@@ -17,6 +17,7 @@
 #include "dsc3d/complex/traversal.h"
 #include "dsc3d/mesh.h"
 #include "dsc3d/operations/flat_surface.h"
+#include "dsc3d/operations/transaction.h"
 #include "geometry/tetrahedron_quality.h"
 
 namespace dsc::dsc3d {
@@ -29,7 +30,8 @@ struct Proposal {
     std::vector<TetId> removed;
     std::vector<NewTet> added;
     /// Patches of the surface faces that come, with their vertices in any order.
-    std::vector<std::pair<FaceVertices, std::int32_t>> surface;
+    std::vector<SurfaceFace> surface;
+    VertexId gone;  ///< the vertex that no tetrahedron has afterwards, if there is one
     double quality_before = 0;
     double quality_after = 0;
 
@@ -37,6 +39,7 @@ struct Proposal {
         removed.clear();
         added.clear();
         surface.clear();
+        gone = VertexId();
     }
     bool is_improvement() const { return quality_after > quality_before + least_quality_gain; }
 };
@@ -51,14 +54,15 @@ public:
     FlatSurface& surface() { return surface_; }
     const FlatSurface& surface() const { return surface_; }
     geometry::QualityMeasure measure() const { return measure_; }
-    /// Rates all tetrahedra anew by another measure.
-    void set_measure(geometry::QualityMeasure measure);
+    double bias() const { return bias_; }
+    /// Rates all tetrahedra anew by another measure; `bias` is that of the minimum biased sine.
+    void set_measure(geometry::QualityMeasure measure, double bias = geometry::obtuse_bias);
 
     const Point3& position(VertexId v) const { return mesh_->position(v); }
     double quality(TetId t) const { return quality_[t]; }
     double worst_quality(std::span<const TetId> tets) const;
     double rate(VertexId a, VertexId b, VertexId c, VertexId d) const {
-        return geometry::quality(measure_, position(a), position(b), position(c), position(d));
+        return geometry::quality(measure_, position(a), position(b), position(c), position(d), bias_);
     }
     double rate(const TetVertices& v) const { return rate(v[0], v[1], v[2], v[3]); }
 
@@ -68,6 +72,14 @@ public:
     /// positive by exact predicate.
     bool move(VertexId v, const Point3& position, std::span<const TetId> star);
 
+    /// From here on changes can be taken back, all at once. Precondition: no transaction is open.
+    void begin() { transaction_.open(); }
+    /// Keeps what has changed since begin().
+    void commit() { transaction_.close(); }
+    /// Takes back what has changed since begin().
+    void roll_back();
+    Transaction& transaction() { return transaction_; }
+
     /// The number of changes so far, and at the last change of the star of v.
     std::uint32_t time() const { return time_; }
     std::uint32_t changed(VertexId v) const { return changed_[v]; }
@@ -75,13 +87,18 @@ public:
     StarWalker& walker() { return walker_; }
 
 private:
+    void exchange(std::span<const TetId> removed, std::span<const NewTet> added, std::span<const SurfaceFace> surface);
+    void rate_again(TetId t);
+
     Mesh* mesh_;
     geometry::QualityMeasure measure_;
+    double bias_ = geometry::obtuse_bias;
     FlatSurface surface_;
     core::Attribute<TetId, double> quality_;
     core::Attribute<VertexId, std::uint32_t> changed_;
     std::uint32_t time_ = 1;
     StarWalker walker_;
+    Transaction transaction_;
 };
 
 }  // namespace dsc::dsc3d

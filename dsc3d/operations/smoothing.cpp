@@ -21,11 +21,11 @@ void Smoothing::gather_link(const RatedMesh& mesh, VertexId v, std::span<const T
 }
 
 // The worst quality of the star with v at x; any value at or below `enough` when it is not above that.
-double Smoothing::rate_link(geometry::QualityMeasure measure, const Point3& x, double enough) {
+double Smoothing::rate_link(const RatedMesh& mesh, const Point3& x, double enough) {
     double least = std::numeric_limits<double>::infinity();
     qualities_.resize(link_.size());
     for (std::size_t i = 0; i < link_.size() && least > enough; ++i) {
-        qualities_[i] = geometry::quality(measure, x, link_[i][0], link_[i][1], link_[i][2]);
+        qualities_[i] = geometry::quality(mesh.measure(), x, link_[i][0], link_[i][1], link_[i][2], mesh.bias());
         least = std::min(least, qualities_[i]);
     }
     return least;
@@ -39,7 +39,7 @@ void Smoothing::gather_terms(const RatedMesh& mesh, VertexId v, const Point3& x,
     const bool is_bound = mesh.surface().motion(v) != VertexMotion::free;
     for (std::size_t i = 0; i < link_.size(); ++i) {
         if (qualities_[i] > highest) continue;
-        const int count = geometry::quality_terms(mesh.measure(), x, link_[i][0], link_[i][1], link_[i][2], of_tet);
+        const int count = geometry::quality_terms(mesh.measure(), x, link_[i][0], link_[i][1], link_[i][2], of_tet, mesh.bias());
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
             if (of_tet[k].value > highest) continue;
             if (is_bound) of_tet[k].gradient = mesh.surface().allowed(v, of_tet[k].gradient);
@@ -69,7 +69,7 @@ Point3 Smoothing::best_place(const RatedMesh& mesh, VertexId v, std::span<const 
             const double predicted_gain = next.predicted - value;
             if (predicted_gain < parameters_.least_gain * value) break;
             const Point3 there = mesh.surface().settled(v, x + next.step);
-            const double found = rate_link(mesh.measure(), there, value);
+            const double found = rate_link(mesh, there, value);
             if (found < value + parameters_.accepted_share * predicted_gain) {
                 s *= 0.2;
                 continue;

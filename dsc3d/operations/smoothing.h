@@ -34,7 +34,7 @@ private:
     using Triangle = std::array<Point3, 3>;
 
     void gather_link(const RatedMesh& mesh, VertexId v, std::span<const TetId> star);
-    double rate_link(geometry::QualityMeasure measure, const Point3& x, double enough);
+    double rate_link(const RatedMesh& mesh, const Point3& x, double enough);
     void gather_terms(const RatedMesh& mesh, VertexId v, const Point3& x, double worst);
     double first_scale(const Point3& x) const;
 

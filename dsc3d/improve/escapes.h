@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Escapes from the local maxima where hill climbing stops: one change for the worse near a poor tetrahedron, hill
+// climbing around it, and the whole is kept if it lowers an energy that poor tetrahedra dominate; otherwise it is taken
+// back. Source: thesis 3.6, which names the problem and randomization as the way out. Guarantee: the worst quality of
+// the mesh never decreases. Cost: about a millisecond per attempt.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.h"
+#include "dsc3d/improve/passes.h"
+
+namespace dsc::dsc3d {
+
+struct EscapeParameters {
+    /// Of the energy sum (worst quality / quality)^power, which weighs one tetrahedron that is 10 % better than the
+    /// worst one as much as power = 12 says: a third.
+    double power = 12;
+    double least_gain = 1e-3;  ///< of the energy, in units of one worst tetrahedron
+    int settling_rounds = 3;   ///< of hill climbing around the change
+    bool removes_vertices = true;
+    double longest_push = 0.4;  ///< of a vertex, in mean edge lengths at it
+};
+
+class Escapes {
+public:
+    Escapes(RatedMesh& mesh, Passes& passes, const EscapeParameters& parameters, std::uint64_t seed);
+
+    /// One attempt at t; true when it was kept.
+    bool attempt(TetId t, double worst);
+
+private:
+    bool kick(TetId t);
+    bool kick_edge(EdgeId e);
+    bool kick_face(FaceId f);
+    bool kick_collapse(EdgeId e, VertexId kept);
+    bool kick_vertex(VertexId v);
+    void settle();
+    bool is_better(double worst);
+    TetId random_neighbour(TetId t);
+
+    RatedMesh& mesh_;
+    Passes& passes_;
+    EscapeParameters parameters_;
+    core::Random random_;
+    EdgeRemoval edge_removal_;
+    MultiFace multi_face_;
+    EdgeCollapse collapse_;
+    Proposal proposal_;
+    std::vector<VertexId> region_;
+    std::vector<TetId> tets_;
+};
+
+}  // namespace dsc::dsc3d

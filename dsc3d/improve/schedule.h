@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In which order a mesh is improved, and when that ends: the policy, apart from the passes and operations it uses.
+// Source: thesis algorithm 1 (ThesisSchedule), 3.6 (BestSchedule).
+#pragma once
+
+#include <memory>
+
+#include "dsc3d/improve/improve.h"
+#include "dsc3d/improve/passes.h"
+#include "dsc3d/improve/stop.h"
+
+namespace dsc::dsc3d {
+
+/// What a schedule works on.
+struct ImproveRun {
+    RatedMesh& mesh;
+    const ImproveParameters& parameters;
+    core::Observer& observer;
+    const StopCondition& stop;
+    ImproveReport& report;
+
+    /// Reports the state of the mesh and decides whether to go on; fills report.end when not.
+    bool goes_on(const char* stage);
+    /// Adds what passes have done to the report.
+    void add(const PassCounts& counts);
+};
+
+class SchedulePolicy {
+public:
+    virtual ~SchedulePolicy() = default;
+    virtual void run(ImproveRun& run) = 0;
+};
+
+/// Algorithm 1. Hill climbing: smoothing, topological pass and thinning pass until neither improves the mesh.
+class ThesisSchedule final : public SchedulePolicy {
+public:
+    struct Parameters {
+        double least_gain = 1e-4;  ///< of an indicator that counts as an improvement (thesis 3.4)
+        int failures = 3;          ///< fruitless rounds in a row that end it
+    };
+    explicit ThesisSchedule(const Parameters& parameters) : parameters_(parameters) {}
+    void run(ImproveRun& run) override;
+
+private:
+    Parameters parameters_;
+};
+
+/// Algorithm 1, then escapes around the worst tetrahedra: first by the measure asked for; then, for the measures made
+/// of sines, by one whose bias lets the smallest and the largest angle weigh the same, so that both ends go on
+/// improving when one has come to its limit.
+class BestSchedule final : public SchedulePolicy {
+public:
+    struct Parameters {
+        std::size_t max_attempts = 20000;  ///< escapes tried in all
+        std::size_t targets = 200;         ///< poor tetrahedra that are tried in one round, at most
+        double poor = 1.25;                ///< a tetrahedron is poor below this multiple of the worst quality
+        int rounds = 20;                   ///< of escapes between two passes over the whole mesh
+        double least_kept = 0.005;         ///< share of attempts that have to succeed to go on
+        double fine_gain = 0.002;          ///< of a smoothing step, relative; finer than that of algorithm 1
+    };
+    explicit BestSchedule(const Parameters& parameters) : parameters_(parameters) {}
+    void run(ImproveRun& run) override;
+
+private:
+    struct Progress;
+    Progress escape(ImproveRun& run, std::uint64_t seed, std::size_t attempts) const;
+
+    Parameters parameters_;
+};
+
+std::unique_ptr<SchedulePolicy> make_schedule(Schedule schedule);
+
+}  // namespace dsc::dsc3d

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dsc3d/improve/indicators.h"
+#include "dsc3d/improve/schedule.h"
+
+namespace dsc::dsc3d {
+
+void ThesisSchedule::run(ImproveRun& run) {
+    const ImproveParameters& wanted = run.parameters;
+    Passes passes(run.mesh, {.uses_multi_face_retriangulation = wanted.uses_multi_face_retriangulation}, &run.stop);
+    const bool thins = wanted.uses_thinning && !wanted.keeps_vertices;
+
+    passes.smooth_all_vertices();
+    passes.topological_pass();
+    QualityIndicators before(run.mesh);
+    const auto has_improved = [&] {
+        const QualityIndicators now(run.mesh);
+        const bool is_better = now.is_better_than(before, parameters_.least_gain);
+        before = now;
+        return is_better;
+    };
+    int failed = 0;
+    while (failed < parameters_.failures && run.goes_on("improving")) {
+        ++run.report.rounds;
+        passes.smooth_all_vertices();
+        if (has_improved()) {
+            failed = 0;
+            continue;
+        }
+        passes.topological_pass();
+        if (has_improved()) {
+            failed = 0;
+            continue;
+        }
+        if (thins) passes.thinning_pass();
+        failed = has_improved() ? 0 : failed + 1;
+    }
+    run.add(passes.counts());
+}
+
+}  // namespace dsc::dsc3d
