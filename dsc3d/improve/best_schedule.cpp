@@ -12,20 +12,6 @@ namespace {
 
 using geometry::QualityMeasure;
 
-// The tetrahedra in the order of their quality, the worst first, as far as they are poor.
-std::vector<TetId> poor_tets(const RatedMesh& mesh, double worst, double poor, std::size_t most) {
-    std::vector<std::pair<double, TetId>> found;
-    for (std::uint32_t i = 0; i < mesh.complex().tet_capacity(); ++i) {
-        const TetId t(i);
-        if (!mesh.complex().is_deleted(t) && mesh.quality(t) <= poor * worst) found.emplace_back(mesh.quality(t), t);
-    }
-    std::sort(found.begin(), found.end());
-    found.resize(std::min(found.size(), most));
-    std::vector<TetId> tets;
-    for (const auto& [quality, t] : found) tets.push_back(t);
-    return tets;
-}
-
 double worst_quality(const RatedMesh& mesh) {
     double worst = 1;
     for (std::uint32_t i = 0; i < mesh.complex().tet_capacity(); ++i)
@@ -46,13 +32,29 @@ double balancing_bias(const Mesh& mesh) {
 
 }  // namespace
 
+// The poor tetrahedra, the worst first.
+std::vector<TetId> BestSchedule::targets(const RatedMesh& mesh) const {
+    std::vector<std::pair<double, TetId>> order;
+    for (std::uint32_t i = 0; i < mesh.complex().tet_capacity(); ++i)
+        if (!mesh.complex().is_deleted(TetId(i))) order.emplace_back(mesh.quality(TetId(i)), TetId(i));
+    const std::size_t most = std::min(parameters_.most_targets, order.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end());
+    std::vector<TetId> tets;
+    for (std::size_t i = 0; i < most; ++i) {
+        if (i >= parameters_.least_targets && order[i].first > parameters_.poor * order[0].first) break;
+        tets.push_back(order[i].second);
+    }
+    return tets;
+}
+
 struct BestSchedule::Progress {
     std::size_t tried = 0;
     std::size_t kept = 0;
+    std::size_t cost = 0;
 };
 
 // Passes over the whole mesh, then rounds of escapes around its poor tetrahedra.
-BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed, std::size_t attempts) const {
+BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed, std::size_t budget) const {
     const ImproveParameters& wanted = run.parameters;
     const bool thins = wanted.uses_thinning && !wanted.keeps_vertices;
     Passes passes(run.mesh,
@@ -66,13 +68,16 @@ BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed,
 
     Escapes escapes(run.mesh, passes, {.removes_vertices = thins}, seed);
     Progress progress;
-    for (int round = 0; round < parameters_.rounds && progress.tried < attempts; ++round) {
+    for (int round = 0; round < parameters_.rounds && progress.cost < budget; ++round) {
         if (!run.goes_on("escaping")) break;
         const double worst = worst_quality(run.mesh);
-        for (const TetId t : poor_tets(run.mesh, worst, parameters_.poor, parameters_.targets)) {
+        for (const TetId t : targets(run.mesh)) {
             if (run.mesh.complex().is_deleted(t)) continue;
-            if (progress.tried++ >= attempts || run.stop.is_due()) break;
-            if (escapes.attempt(t, worst)) ++progress.kept;
+            if (progress.cost >= budget || run.stop.is_due()) break;
+            const Escapes::Attempt attempt = escapes.attempt(t, worst);
+            ++progress.tried;
+            progress.cost += attempt.cost;
+            progress.kept += attempt.is_kept ? 1 : 0;
         }
     }
     run.add(passes.counts());
@@ -83,22 +88,23 @@ BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed,
 void BestSchedule::run(ImproveRun& run) {
     ThesisSchedule({}).run(run);
     core::Random seeds(run.parameters.seed);
-    std::size_t left = parameters_.max_attempts;
-    bool is_balanced = false;
+    std::size_t left = parameters_.budget;
+    // Half of the attempts go to the measure asked for, unless they are in vain; then the two ends are balanced.
+    bool is_balanced = !is_made_of_sines(run.parameters.measure);
+    const std::size_t for_balance = is_balanced ? 0 : parameters_.budget / 2;
+    const auto patience = static_cast<std::size_t>(parameters_.patience * static_cast<double>(parameters_.budget));
+    std::size_t fruitless = 0;
     while (left > 0 && run.goes_on("escaping")) {
         const Progress progress = escape(run, seeds.below(~std::uint64_t{0}), left);
-        left -= std::min(left, progress.tried);
+        left -= std::min(left, progress.cost);
         const bool is_stuck =
             static_cast<double>(progress.kept) < parameters_.least_kept * static_cast<double>(progress.tried);
-        // Half of the attempts go to the measure asked for, unless they are in vain.
-        if (!is_balanced && !is_stuck && left > parameters_.max_attempts / 2) continue;
-        if (is_balanced && is_stuck) break;
-        if (!is_made_of_sines(run.parameters.measure)) {
-            if (is_stuck) break;
-            continue;
-        }
+        fruitless = is_stuck ? fruitless + progress.cost : 0;
+        if (is_balanced && fruitless >= patience) break;
+        if (!is_balanced && left > for_balance && fruitless < patience) continue;
+        if (!is_balanced) fruitless = 0;
         is_balanced = true;
-        run.mesh.set_measure(QualityMeasure::minimum_biased_sine, balancing_bias(run.mesh.mesh()));
+        if (for_balance > 0) run.mesh.set_measure(QualityMeasure::minimum_biased_sine, balancing_bias(run.mesh.mesh()));
     }
 }
 

@@ -10,17 +10,29 @@ namespace dsc::dsc3d {
 Escapes::Escapes(RatedMesh& mesh, Passes& passes, const EscapeParameters& parameters, std::uint64_t seed)
     : mesh_(mesh), passes_(passes), parameters_(parameters), random_(seed) {}
 
-bool Escapes::attempt(TetId t, double worst) {
+Escapes::Attempt Escapes::attempt(TetId t, double worst) {
+    constexpr std::size_t search_cost = 10;
     const PassCounts counts = passes_.counts();
     mesh_.begin();
-    if (kick(t)) settle();
-    if (is_better(worst)) {
-        mesh_.commit();
-        return true;
+    // Mostly one change, seldom several.
+    int kicks = 1;
+    while (kicks < parameters_.longest_kick && random_.below(3) == 0) ++kicks;
+    bool is_changed = kick(t);
+    for (int i = 1; i < kicks; ++i) {
+        const std::span<const TetId> touched = mesh_.transaction().touched();
+        if (touched.empty()) break;
+        is_changed = kick(touched[random_.below(touched.size())]) || is_changed;
     }
-    mesh_.roll_back();
-    passes_.set_counts(counts);
-    return false;
+    if (is_changed) settle();
+    const std::size_t changed = mesh_.transaction().touched().size() + mesh_.transaction().qualities_before().size();
+    const bool is_kept = is_changed && is_better(worst);
+    if (is_kept) {
+        mesh_.commit();
+    } else {
+        mesh_.roll_back();
+        passes_.set_counts(counts);
+    }
+    return {is_kept, search_cost + changed};
 }
 
 TetId Escapes::random_neighbour(TetId t) {

@@ -18,6 +18,7 @@ struct EscapeParameters {
     /// worst one as much as power = 12 says: a third.
     double power = 12;
     double least_gain = 1e-3;  ///< of the energy, in units of one worst tetrahedron
+    int longest_kick = 3;      ///< changes, some of them for the worse, before hill climbing
     int settling_rounds = 3;   ///< of hill climbing around the change
     bool removes_vertices = true;
     double longest_push = 0.4;  ///< of a vertex, in mean edge lengths at it
@@ -27,8 +28,12 @@ class Escapes {
 public:
     Escapes(RatedMesh& mesh, Passes& passes, const EscapeParameters& parameters, std::uint64_t seed);
 
-    /// One attempt at t; true when it was kept.
-    bool attempt(TetId t, double worst);
+    struct Attempt {
+        bool is_kept = false;
+        std::size_t cost = 0;  ///< in tetrahedra changed, and some for the search itself
+    };
+    /// One attempt at t, in a mesh whose worst quality is `worst`.
+    Attempt attempt(TetId t, double worst);
 
 private:
     bool kick(TetId t);

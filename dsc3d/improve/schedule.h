@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "dsc3d/improve/improve.h"
 #include "dsc3d/improve/passes.h"
@@ -51,19 +52,22 @@ private:
 class BestSchedule final : public SchedulePolicy {
 public:
     struct Parameters {
-        std::size_t max_attempts = 20000;  ///< escapes tried in all
-        std::size_t targets = 200;         ///< poor tetrahedra that are tried in one round, at most
-        double poor = 1.25;                ///< a tetrahedron is poor below this multiple of the worst quality
-        int rounds = 20;                   ///< of escapes between two passes over the whole mesh
-        double least_kept = 0.005;         ///< share of attempts that have to succeed to go on
-        double fine_gain = 0.002;          ///< of a smoothing step, relative; finer than that of algorithm 1
+        std::size_t budget = 4'000'000;  ///< of escapes: tetrahedra changed on the way, taken back or not
+        double poor = 1.25;              ///< a tetrahedron is poor below this multiple of the worst quality
+        std::size_t least_targets = 30;  ///< tetrahedra tried in one round, the worst ones, poor or not
+        std::size_t most_targets = 200;
+        int rounds = 20;            ///< of escapes between two passes over the whole mesh
+        double least_kept = 0.005;  ///< share of attempts that have to succeed; with less, the search is stuck
+        double patience = 0.25;     ///< share of the budget after which a search that is stuck ends
+        double fine_gain = 0.002;   ///< of a smoothing step, relative; finer than that of algorithm 1
     };
     explicit BestSchedule(const Parameters& parameters) : parameters_(parameters) {}
     void run(ImproveRun& run) override;
 
 private:
     struct Progress;
-    Progress escape(ImproveRun& run, std::uint64_t seed, std::size_t attempts) const;
+    Progress escape(ImproveRun& run, std::uint64_t seed, std::size_t budget) const;
+    std::vector<TetId> targets(const RatedMesh& mesh) const;
 
     Parameters parameters_;
 };
