@@ -17,21 +17,6 @@ bool contains(const std::vector<VertexId>& sorted, VertexId v) {
     return std::binary_search(sorted.begin(), sorted.end(), v);
 }
 
-// Vertices joined to v by an edge of the surface.
-void surface_neighbours(const Complex& complex, std::span<const TetId> star, VertexId v, std::vector<VertexId>& found) {
-    found.clear();
-    for (const TetId t : star) {
-        for (int i = 0; i < 4; ++i) {
-            const FaceId f = complex.faces(t)[static_cast<std::size_t>(i)];
-            if (complex.vertices(t)[static_cast<std::size_t>(i)] == v || !complex.is_surface(f)) continue;
-            for (const VertexId u : complex.vertices(f))
-                if (u != v) found.push_back(u);
-        }
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-}
-
 void intersect(std::vector<VertexId>& a, std::vector<VertexId>& b, std::vector<VertexId>& common) {
     std::sort(a.begin(), a.end());
     std::sort(b.begin(), b.end());
@@ -81,13 +66,28 @@ bool EdgeCollapse::keeps_topology(const Complex& complex, EdgeId e, VertexId kep
             }))
             return false;
     }
-    if (!complex.is_surface(e)) return true;
+    return !complex.is_surface(e) || keeps_topology_of_surface(complex, e, kept, gone, star_of_kept);
+}
 
-    // In the surface: its common neighbours are the apexes of the surface faces at the edge.
-    surface_neighbours(complex, star_of_kept, kept, around_kept_);
-    surface_neighbours(complex, star_of_gone_, gone, around_gone_);
-    intersect(around_kept_, around_gone_, common_);
-    return common_.size() == complex.surface_degree(e);
+// The same in the surface, coned off at its seams, and in the seams.
+bool EdgeCollapse::keeps_topology_of_surface(const Complex& complex, EdgeId e, VertexId kept, VertexId gone,
+                                             std::span<const TetId> star_of_kept) {
+    const auto count_common = [](const auto& a, const auto& b, auto& common) {
+        common.clear();
+        std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+        return common.size();
+    };
+    surface_of_kept_.gather(complex, star_of_kept, kept);
+    surface_of_gone_.gather(complex, star_of_gone_, gone);
+    const std::uint32_t sheets = complex.surface_degree(e);
+    if (count_common(surface_of_kept_.vertices(), surface_of_gone_.vertices(), common_) != sheets) return false;
+    if (count_common(surface_of_kept_.edges(), surface_of_gone_.edges(), common_edges_) != 0) return false;
+    if (!complex.is_interface(kept) || !complex.is_interface(gone)) return true;
+
+    const SurfacePlace place_of_kept = surface_of_kept_.place(), place_of_gone = surface_of_gone_.place();
+    if (sheets == 2) return place_of_kept == SurfacePlace::sheet || place_of_gone == SurfacePlace::sheet;
+    if (place_of_kept == SurfacePlace::corner && place_of_gone == SurfacePlace::corner) return false;
+    return count_common(surface_of_kept_.seams(), surface_of_gone_.seams(), common_) == 0;
 }
 
 bool EdgeCollapse::keeps_surface(const RatedMesh& mesh, EdgeId e, VertexId kept) {
