@@ -8,6 +8,7 @@
 
 #include "apps/cutlocus/front_chart.h"
 #include "apps/cutlocus/front_geodesics.h"
+#include "core/attribute.h"
 #include "core/errors.h"
 #include "dsc2d/deform/deformer.h"
 #include "dsc2d/generate/insert_polygon.h"
@@ -74,7 +75,8 @@ public:
           geodesics_(parameters.method == FrontMethod::integrated
                          ? integrated_geodesics(complex_, metric, origin, 1e-9)
                          : two_point_geodesics(complex_, metric, origin, 2 * parameters.time_step,
-                                               1e-3 * parameters.time_step)) {
+                                               1e-3 * parameters.time_step)),
+          has_stopped_(complex_.vertex_attributes(), 0) {
         place_initial_front();
     }
 
@@ -200,11 +202,29 @@ private:
     Point2 domain_target(VertexId v) const { return chart_.to_domain(geodesics_->state(v).x); }
 
     void displace() {
-        const dsc2d::StepReport report = deformer_.step(targets_);
+        for (int parts = parameters_.motion_parts; parts > 1; --parts) displace_by(1.0 / parts);
+        const dsc2d::StepReport report = displace_by(1);
         // A vertex that the complex has held back for so long faces another part of the front.
         const double longest_way = parameters_.longest_lag * parameters_.spacing;
         for (const auto& motion : report.unfinished)
             if (motion.remaining.norm() > longest_way) stop(motion.vertex);
+    }
+
+    /// Moves the vertices by this share of the way that is left to their targets.
+    dsc2d::StepReport displace_by(double share) {
+        next_targets_.assign(complex_.vertex_capacity(), std::nullopt);
+        for (std::uint32_t i = 0; i < targets_.size(); ++i) {
+            const VertexId v(i);
+            if (!targets_[i] || complex_.is_deleted(v)) continue;
+            const Point2 place = complex_.position(v);
+            next_targets_[i] = share < 1 ? Point2(place + share * (*targets_[i] - place)) : *targets_[i];
+        }
+        dsc2d::StepReport report = deformer_.step(next_targets_);
+        // The complex has locked the vertices of early contacts too.
+        for (VertexId v : early_)
+            if (!complex_.is_deleted(v) && !has_stopped_[v]) complex_.unlock(v);
+        early_.clear();
+        return report;
     }
 
     /// Neighbours whose geodesics will cross within a step, where the front focuses.
@@ -241,6 +261,7 @@ private:
     void stop(VertexId v) {
         if (complex_.is_locked(v)) return;
         complex_.lock(v);
+        has_stopped_[v] = 1;
         result_.local_stops.push_back({geodesics_->state(v).theta, radius_, chart_.to_chart(complex_.position(v))});
     }
 
@@ -251,6 +272,12 @@ private:
         if (first_ == removed) first_ = kept;
     }
     void on_contact(const dsc2d::Contact& contact) override {
+        if (is_early(contact)) {
+            early_.insert(early_.end(), {contact.a, contact.b});
+            return;
+        }
+        for (VertexId v : {contact.a, contact.b})
+            if (complex_.is_locked(v)) has_stopped_[v] = 1;
         const GeodesicState &a = geodesics_->state(contact.a), &b = geodesics_->state(contact.b);
         // E(a) - E(b) in whole periods; positions may differ from the ends of their geodesics by periods too.
         const auto windings = [&](VertexId v) {
@@ -261,6 +288,23 @@ private:
         result_.contacts.push_back({{a.theta, b.theta, (a.t + b.t) / 2, lattice},
                                     chart_.to_chart(complex_.position(contact.a)),
                                     chart_.to_chart(complex_.position(contact.b))});
+    }
+
+    /// True if the complex reports two vertices for being close, but their geodesics go on side by side and meet later,
+    /// at a small angle, as they do next to a conjugate point.
+    bool is_early(const dsc2d::Contact& contact) const {
+        if (!parameters_.contact_steps || has_stopped_[contact.a] || has_stopped_[contact.b]) return false;
+        const Point2 place = complex_.position(contact.a), origin = chart_.to_chart(place);
+        const auto in_chart = [&](const Vector2& way) -> Vector2 { return chart_.to_chart(place + way) - origin; };
+        const Vector2 gap = 2 * (contact.place - place);
+        const Vector2 lag_a = domain_target(contact.a) - place;
+        const Vector2 lag_b = domain_target(contact.b) - complex_.position(contact.b);
+        const Vector2 between = in_chart(gap + lag_b - lag_a);  // from end to end of the geodesics
+        const geodesic::MetricTensor tensor = metric_.tensor(origin);
+        if (tensor.inner(in_chart(gap), between) <= 0) return false;  // they have met
+        const Vector2 parting = geodesics_->state(contact.b).velocity - geodesics_->state(contact.a).velocity;
+        const double closing = -tensor.inner(between, parting) * parameters_.time_step;
+        return tensor.inner(between, between) > *parameters_.contact_steps * closing;
     }
 
     void report(core::Observer& observer) const {
@@ -301,14 +345,26 @@ private:
     std::unique_ptr<FrontGeodesics> geodesics_;
     FrontResult result_;
     std::vector<VertexId> front_;
-    std::vector<std::optional<Point2>> targets_;
-    std::vector<Vector2> steps_made_;  // of the geodesics' ends, in the chart; by vertex
+    std::vector<std::optional<Point2>> targets_, next_targets_;
+    core::Attribute<VertexId, std::uint8_t> has_stopped_;  // for good
+    std::vector<VertexId> early_;                          // vertices of early contacts
+    std::vector<Vector2> steps_made_;                      // of the geodesics' ends, in the chart; by vertex
     VertexId first_;
     double radius_ = 0;
     int snapshot_interval_ = 1;
 };
 
 }  // namespace
+
+FrontParameters plain_front(double time_step) {
+    FrontParameters parameters;
+    parameters.method = FrontMethod::two_point;
+    parameters.time_step = time_step;
+    parameters.spacing = 0.6 * time_step;
+    parameters.motion_parts = 3;
+    parameters.contact_steps = 1;
+    return parameters;
+}
 
 FrontResult grow_front(const Metric& metric, const Point2& origin, const FrontParameters& parameters,
                        core::Observer& observer) {
@@ -317,6 +373,9 @@ FrontResult grow_front(const Metric& metric, const Point2& origin, const FrontPa
         throw core::UsageError("the time step of the front must be positive and at most twice its spacing");
     if (!(parameters.shortest_edge >= 0 && parameters.shortest_edge < 0.5))
         throw core::UsageError("the shortest edge of the front must lie between 0 and half its spacing");
+    if (parameters.motion_parts < 1) throw core::UsageError("the motion of the front must have at least one part");
+    if (parameters.contact_steps && !(*parameters.contact_steps >= 0))
+        throw core::UsageError("the steps between a contact of the front and its meeting must not be negative");
     if (!(parameters.merging_steps >= 1))
         throw core::UsageError("the steps before a meeting in which the front is not coarsened must be at least 1");
     return Front(metric, origin, parameters).grow(observer);

@@ -32,8 +32,18 @@ struct FrontParameters {
     double longest_lag = 3;       ///< a vertex so far behind its geodesic is stopped; in spacings
     double shortest_edge = 0.35;  ///< shorter edges of the front merge; in spacings of the complex, in [0, 0.5)
     double merging_steps = 12;    ///< ... unless the geodesics of their ends cross within so many steps; >= 1
-    int snapshots = 60;           ///< about this many fronts are kept for pictures; 0: none
+    /// The motion of a step is made in so many parts: of two parts of the front that run into each other, the one that
+    /// is moved first gets past the middle of the gap by half of such a part at most; >= 1.
+    int motion_parts = 1;
+    /// Vertices in contact go on while their geodesics are more than so many steps from meeting; nothing: any contact
+    /// stops its vertices. >= 0.
+    std::optional<double> contact_steps;
+    int snapshots = 60;  ///< about this many fronts are kept for pictures; 0: none
 };
+
+/// The method of the thesis with steps of this length. Its vertices stop less than a step from the cut locus, and none
+/// of its points is further than a step from one of them, in the chart and times the largest speed there (5.4.1).
+FrontParameters plain_front(double time_step);
 
 /// Two vertices of the front that were stopped because they were about to meet.
 struct FrontContact {

@@ -74,9 +74,7 @@ int run_front(const Options& options, const Question& question, apps::ProgressOb
     if (options.time_step < 1e-4 * size || options.time_step > 0.1 * size)
         throw core::UsageError(
             fmt::format("--time-step must lie between {:.3g} and {:.3g} on this surface", 1e-4 * size, 0.1 * size));
-    FrontParameters parameters;
-    parameters.method = FrontMethod::two_point;
-    parameters.spacing = parameters.time_step = options.time_step;
+    FrontParameters parameters = plain_front(options.time_step);
     parameters.max_distance = options.parameters.max_distance;
     parameters.snapshots = options.parameters.snapshots;
     const FrontResult front = grow_front(*options.metric, options.point, parameters, observer);
