@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geodesic/torus.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <string>
 
 #include "core/errors.h"
 
 namespace dsc::geodesic {
 
+namespace {
+
+std::string text(double value) {
+    std::array<char, 32> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.12g", value);
+    return buffer.data();
+}
+
+}  // namespace
+
 TorusOfRevolution::TorusOfRevolution(double major_radius, double lambda)
     : Metric({2 * std::numbers::pi, 2 * std::numbers::pi}), major_radius_(major_radius), lambda_(lambda) {
     // The squares enter the metric: they must be ordinary numbers too.
     if (!(lambda > 0) || !std::isnormal(lambda * lambda))
-        throw core::UsageError("--lambda must be a positive number, e.g. 2; it is " + std::to_string(lambda));
+        throw core::UsageError("--lambda must be a positive number, e.g. 2; it is " + text(lambda));
     if (!(std::abs(major_radius) > 1) || !std::isfinite(major_radius * major_radius))
-        throw core::UsageError("--major-radius must exceed 1, e.g. 2; it is " + std::to_string(major_radius) +
+        throw core::UsageError("--major-radius must exceed 1, e.g. 2; it is " + text(major_radius) +
                                ": the surface would meet its axis, where R + cos v = 0 and the metric degenerates");
 }
 

@@ -94,6 +94,7 @@ int run_front(const Options& options, const Question& question, apps::ProgressOb
 int run(int argc, const char* const* argv) {
     const std::optional<Options> options = parse_options(argc, argv);
     if (!options) return apps::exit_done;
+    if (!options->note.empty() && !options->common.quiet) fmt::print(stderr, "cutlocus: note: {}\n", options->note);
     apps::ProgressObserver observer(options->common.progress);
     const Question question{options->metric_name, options->metric_parameters, options->point};
     if (options->points_file) return run_batch(*options, observer) == 0 ? apps::exit_done : apps::exit_failed;

@@ -53,6 +53,10 @@ void make_torus(const MetricTexts& texts, Options& options) {
     const double lambda = is_circular ? 1 : texts.lambda.value_or(2);
     options.metric = std::make_unique<geodesic::TorusOfRevolution>(texts.major_radius, lambda);
     options.metric_source = "--torus";
+    if (texts.major_radius < 0)
+        options.note = "--major-radius " + io::number_text(texts.major_radius) + " is the torus of radius " +
+                       io::number_text(-texts.major_radius) +
+                       " in another chart, shifted by half a period in u and in v";
     options.metric_name = "revolution R=" + io::number_text(texts.major_radius) + " lambda=" + io::number_text(lambda);
     options.metric_parameters = io::Json::object({{"kind", "rev"}, {"R", texts.major_radius}, {"lam", lambda}});
 }

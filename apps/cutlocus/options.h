@@ -18,6 +18,7 @@ struct Options {
     std::string metric_name;       ///< as a reader knows it: "torus of revolution, R = 2, lambda = 2"
     io::Json metric_parameters;    ///< for the report
     std::string metric_source;     ///< the option it came from, for error messages
+    std::string note;              ///< what to know about the surface, where it is not what it seems; empty: nothing
     Point2 point{0, 0};            ///< p, wrapped into the chart
     std::optional<Point2> target;  ///< --distance
     std::optional<std::string> points_file;

@@ -30,8 +30,8 @@ const std::vector<std::string> columns{"u", "v", "distance", "theta", "theta2", 
 
 TEST_CASE("without any output the program prints a summary and draws a picture in the folder it runs in", "[slow]") {
     const TemporaryFolder folder;
-    const ProgramResult result = run_program("/bin/sh", {"-c", "cd \"$0\" && exec \"$@\"", folder.path().string(),
-                                                         DSC_CUTLOCUS_PROGRAM, "--metric", flat});
+    const ProgramResult result = run_program(
+        "/bin/sh", {"-c", "cd \"$0\" && exec \"$@\"", folder.path().string(), DSC_CUTLOCUS_PROGRAM, "--metric", flat});
     CHECK(result.exit_code == 0);
     CHECK(result.err.empty());
     CHECK_THAT(result.out,
@@ -48,9 +48,13 @@ TEST_CASE("with -o it prints nothing and writes the CSV and JSON files as they a
     const io::CsvTable table = io::read_csv(csv);
     CHECK(table.columns == columns);
     const io::Json report = read_json(json);
-    for (const char* key : {"metric", "metric_params", "p", "frame", "betti1", "components", "n_vertices", "n_arcs",
-                            "area_injectivity_domain", "area_surface", "area_rel_err", "length", "min_distance",
-                            "min_at", "max_distance", "max_at", "points", "seconds", "vertices", "arcs"}) {
+    for (const char* key : {"metric",       "metric_params", "p",
+                            "frame",        "betti1",        "components",
+                            "n_vertices",   "n_arcs",        "area_injectivity_domain",
+                            "area_surface", "area_rel_err",  "length",
+                            "min_distance", "min_at",        "max_distance",
+                            "max_at",       "points",        "seconds",
+                            "vertices",     "arcs"}) {
         INFO(key);
         CHECK(report.has(key));
     }
@@ -89,6 +93,20 @@ TEST_CASE("a point outside the chart is the same point inside", "[slow]") {
     run({"--torus", "circular", "--point", "4pi,-1.8pi", "--json", b.string(), "-o", (folder / "b.csv").string()});
     CHECK(std::abs(read_json(b)["p"][0].number()) < 1e-14);
     CHECK(std::abs(read_json(b)["p"][1].number() - 0.2 * pi) < 1e-14);
+    CHECK(std::abs(read_json(a)["length"].number() - read_json(b)["length"].number()) < 1e-9);
+}
+
+TEST_CASE("a negative major radius is allowed with a note", "[slow]") {
+    const TemporaryFolder folder;
+    const auto a = folder / "a.json", b = folder / "b.json";
+    Arguments arguments{"--torus", "circular", "--major-radius", "-2", "--point", "pi,-0.8pi", "--json", a.string()};
+    const ProgramResult result = cutlocus_program(arguments);
+    CHECK(result.exit_code == 0);
+    CHECK(result.err_lines() == 1);
+    CHECK_THAT(result.err, Catch::Contains("note: --major-radius -2") && Catch::Contains("shifted by half a period"));
+    arguments.push_back("--quiet");
+    run(arguments);
+    run({"--torus", "circular", "--point", "0,0.2pi", "--json", b.string()});
     CHECK(std::abs(read_json(a)["length"].number() - read_json(b)["length"].number()) < 1e-9);
 }
 
