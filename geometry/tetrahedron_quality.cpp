@@ -133,7 +133,8 @@ int radius_ratio_terms(const Shape& shape, std::array<QualityTerm, 6>& terms) {
 
 }  // namespace
 
-double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d, double bias) {
+double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+               double bias) {
     const Shape shape(a, b, c, d);
     switch (measure) {
         case QualityMeasure::minimum_sine: return least_sine(shape, 1);
@@ -155,6 +156,17 @@ int quality_terms(QualityMeasure measure, const Point3& a, const Point3& b, cons
         case QualityMeasure::radius_ratio: break;
     }
     return radius_ratio_terms(shape, terms);
+}
+
+std::array<double, 6> dihedral_cotangents(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+    const Shape shape(a, b, c, d);
+    const std::array<Vector3d, 6> edge = edges(shape);
+    std::array<double, 6> cotangent;
+    for (int e = 0; e < 6; ++e) {
+        const auto [i, j] = faces_at_edge[e];
+        cotangent[e] = -shape.normal[i].dot(shape.normal[j]) / (shape.six_volume * edge[e].norm());
+    }
+    return cotangent;
 }
 
 std::array<double, 6> dihedral_angles(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {

@@ -38,6 +38,10 @@ struct QualityTerm {
 int quality_terms(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                   std::array<QualityTerm, 6>& terms, double bias = obtuse_bias);
 
+/// Cotangents of the dihedral angles at the edges ab, ac, ad, bc, bd, cd: cheaper than the angles, and in reverse
+/// order. Precondition: positive volume.
+std::array<double, 6> dihedral_cotangents(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+
 /// Dihedral angles [rad] at the edges ab, ac, ad, bc, bd, cd; above pi or negative when the tetrahedron is inverted.
 std::array<double, 6> dihedral_angles(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 

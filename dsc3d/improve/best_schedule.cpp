@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "core/parallel.h"
 #include "dsc3d/improve/angle_range.h"
 #include "dsc3d/improve/escapes.h"
+#include "dsc3d/improve/indicators.h"
 #include "dsc3d/improve/schedule.h"
 
 namespace dsc::dsc3d {
@@ -11,6 +14,24 @@ namespace dsc::dsc3d {
 namespace {
 
 using geometry::QualityMeasure;
+
+// Lets cancellation through; the progress of runs side by side would only confuse.
+class Forwarder final : public core::Observer {
+public:
+    explicit Forwarder(const core::Observer& observer) : observer_(observer) {}
+    bool is_cancelled() const override { return observer_.is_cancelled(); }
+
+private:
+    const core::Observer& observer_;
+};
+
+struct Start {
+    Mesh mesh;
+    ImproveRun run;
+
+    Start(const geometry::TetData& input, const ImproveRun& of, core::Observer& observer)
+        : mesh(input), run(mesh, of.parameters, observer, of.stop) {}
+};
 
 double worst_quality(const RatedMesh& mesh) {
     double worst = 1;
@@ -57,7 +78,7 @@ struct BestSchedule::Progress {
 BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed, std::size_t budget) const {
     const ImproveParameters& wanted = run.parameters;
     const bool thins = wanted.uses_thinning && !wanted.keeps_vertices;
-    Passes passes(run.mesh,
+    Passes passes(run.mesh(),
                   {.uses_multi_face_retriangulation = wanted.uses_multi_face_retriangulation,
                    .removes_surface_vertices = true,
                    .smoothing = {.least_gain = parameters_.fine_gain}},
@@ -66,13 +87,15 @@ BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed,
     passes.topological_pass();
     if (thins) passes.thinning_pass();
 
-    Escapes escapes(run.mesh, passes, {.removes_vertices = thins}, seed);
+    Escapes escapes(run.mesh(), passes, {.removes_vertices = thins}, seed);
     Progress progress;
     for (int round = 0; round < parameters_.rounds && progress.cost < budget; ++round) {
         if (!run.goes_on("escaping")) break;
-        const double worst = worst_quality(run.mesh);
-        for (const TetId t : targets(run.mesh)) {
-            if (run.mesh.complex().is_deleted(t)) continue;
+        const double worst = worst_quality(run.mesh());
+        const std::vector<TetId> poor = targets(run.mesh());
+        for (std::size_t i = 0; i < std::max(poor.size(), parameters_.round); ++i) {
+            const TetId t = poor[i % poor.size()];
+            if (run.mesh().complex().is_deleted(t)) continue;
             if (progress.cost >= budget || run.stop.is_due()) break;
             const Escapes::Attempt attempt = escapes.attempt(t, worst);
             ++progress.tried;
@@ -85,8 +108,35 @@ BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed,
     return progress;
 }
 
+void BestSchedule::climb(ImproveRun& run) const {
+    // Hill climbing leads to another maximum from another side.
+    std::vector<std::optional<QualityMeasure>> first = {std::nullopt};
+    for (const QualityMeasure measure : {QualityMeasure::radius_ratio, QualityMeasure::volume_length})
+        if (measure != run.parameters.measure) first.emplace_back(measure);
+
+    Forwarder observer(run.observer);
+    const geometry::TetData input = run.target.data();
+    std::vector<std::unique_ptr<Start>> starts(first.size());
+    core::parallel_for(first.size(), {.threads = run.parameters.threads, .grain = 1}, [&](std::size_t i) {
+        starts[i] = std::make_unique<Start>(input, run, observer);
+        ImproveRun& start = starts[i]->run;
+        if (first[i]) {
+            start.mesh().set_measure(*first[i]);
+            ThesisSchedule({}).run(start);
+            start.mesh().set_measure(run.parameters.measure);
+        }
+        ThesisSchedule({}).run(start);
+    });
+    std::size_t best = 0;
+    std::vector<QualityIndicators> reached;
+    for (const std::unique_ptr<Start>& start : starts) reached.emplace_back(start->run.mesh());
+    for (std::size_t i = 1; i < starts.size(); ++i)
+        if (reached[i].worst > reached[best].worst) best = i;
+    run.adopt(starts[best]->run);
+}
+
 void BestSchedule::run(ImproveRun& run) {
-    ThesisSchedule({}).run(run);
+    climb(run);
     core::Random seeds(run.parameters.seed);
     std::size_t left = parameters_.budget;
     // Half of the attempts go to the measure asked for, unless they are in vain; then the two ends are balanced.
@@ -104,7 +154,8 @@ void BestSchedule::run(ImproveRun& run) {
         if (!is_balanced && left > for_balance && fruitless < patience) continue;
         if (!is_balanced) fruitless = 0;
         is_balanced = true;
-        if (for_balance > 0) run.mesh.set_measure(QualityMeasure::minimum_biased_sine, balancing_bias(run.mesh.mesh()));
+        if (for_balance > 0)
+            run.mesh().set_measure(QualityMeasure::minimum_biased_sine, balancing_bias(run.mesh().mesh()));
     }
 }
 

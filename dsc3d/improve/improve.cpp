@@ -30,18 +30,37 @@ void ImproveParameters::validate() const {
     require(threads >= 0, "threads", "at least 0");
 }
 
+ImproveRun::ImproveRun(Mesh& mesh, const ImproveParameters& wanted, core::Observer& watching,
+                       const StopCondition& stopping)
+    : target(mesh), parameters(wanted), observer(watching), stop(stopping) {
+    const FlatSurfaceParameters flat = {.may_change = wanted.changes_boundary,
+                                        .tolerance = wanted.max_boundary_change,
+                                        .feature_angle = wanted.feature_angle};
+    rated = std::make_unique<RatedMesh>(mesh, wanted.measure, flat);
+}
+
+void ImproveRun::adopt(ImproveRun& other) {
+    const geometry::QualityMeasure measure = other.rated->measure();
+    FlatSurface surface = other.rated->surface();
+    rated.reset();
+    other.rated.reset();
+    target = std::move(other.target);
+    rated = std::make_unique<RatedMesh>(target, measure, std::move(surface));
+    report = other.report;
+}
+
 bool ImproveRun::goes_on(const char* stage) {
-    const AngleRange range(mesh.mesh());
+    const AngleRange range(target);
     char figure[80];
     std::snprintf(figure, sizeof figure, "angles %.2f to %.2f, %u tetrahedra", range.min * degrees, range.max * degrees,
-                  mesh.complex().tet_count());
+                  target.complex().tet_count());
     observer.progress(stage, -1, figure);
-    const double target = parameters.target_angle.value_or(180) / degrees;
+    const double wanted = parameters.target_angle.value_or(180) / degrees;
     if (stop.is_cancelled()) {
         report.end = ImproveEnd::cancelled;
     } else if (stop.is_out_of_time()) {
         report.end = ImproveEnd::reached_time_limit;
-    } else if (range.min >= target && range.max <= std::numbers::pi - target) {
+    } else if (range.min >= wanted && range.max <= std::numbers::pi - wanted) {
         report.end = ImproveEnd::reached_target_angle;
     } else {
         return true;
@@ -65,15 +84,10 @@ std::unique_ptr<SchedulePolicy> make_schedule(Schedule schedule) {
 ImproveReport improve(Mesh& mesh, const ImproveParameters& parameters, core::Observer& observer) {
     parameters.validate();
     const StopCondition stop(observer, parameters.time_limit);
-    RatedMesh rated(mesh, parameters.measure,
-                    {.may_change = parameters.changes_boundary,
-                     .tolerance = parameters.max_boundary_change,
-                     .feature_angle = parameters.feature_angle});
-    ImproveReport report;
-    ImproveRun run{rated, parameters, observer, stop, report};
+    ImproveRun run(mesh, parameters, observer, stop);
     if (run.goes_on("improving")) make_schedule(parameters.schedule)->run(run);
-    report.seconds = stop.seconds();
-    return report;
+    run.report.seconds = stop.seconds();
+    return run.report;
 }
 
 }  // namespace dsc::dsc3d

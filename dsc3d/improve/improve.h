@@ -59,8 +59,9 @@ struct ImproveReport {
     std::size_t escapes = 0;  ///< compound changes of the schedule `best` that were kept
 };
 
-/// Improves the mesh in place. On cancellation the mesh is valid and the report says so. The observer's figure is the
-/// current worst quality and dihedral angles.
+/// Improves the mesh in place; all handles change, and attributes of the caller no longer follow the mesh. On
+/// cancellation the mesh is valid and the report says so. The observer's figure is the current worst quality and
+/// dihedral angles.
 ImproveReport improve(Mesh& mesh, const ImproveParameters& parameters, core::Observer& observer);
 
 }  // namespace dsc::dsc3d

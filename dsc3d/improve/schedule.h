@@ -14,11 +14,17 @@ namespace dsc::dsc3d {
 
 /// What a schedule works on.
 struct ImproveRun {
-    RatedMesh& mesh;
+    Mesh& target;
     const ImproveParameters& parameters;
     core::Observer& observer;
     const StopCondition& stop;
-    ImproveReport& report;
+    std::unique_ptr<RatedMesh> rated;
+    ImproveReport report = {};
+
+    ImproveRun(Mesh& mesh, const ImproveParameters& wanted, core::Observer& watching, const StopCondition& stopping);
+    RatedMesh& mesh() { return *rated; }
+    /// Puts the mesh of another run, on a copy of this one's input, in the place of this one's.
+    void adopt(ImproveRun& other);
 
     /// Reports the state of the mesh and decides whether to go on; fills report.end when not.
     bool goes_on(const char* stage);
@@ -46,7 +52,8 @@ private:
     Parameters parameters_;
 };
 
-/// Algorithm 1, then escapes around the worst tetrahedra: first by the measure asked for; then, for the measures made
+/// Algorithm 1 from several starts: from the input, and from where it leads by another measure; the best goes on. Then
+/// escapes around the worst tetrahedra: first by the measure asked for; then, for the measures made
 /// of sines, by one whose bias lets the smallest and the largest angle weigh the same, so that both ends go on
 /// improving when one has come to its limit.
 class BestSchedule final : public SchedulePolicy {
@@ -66,6 +73,7 @@ public:
 
 private:
     struct Progress;
+    void climb(ImproveRun& run) const;
     Progress escape(ImproveRun& run, std::uint64_t seed, std::size_t budget) const;
     std::vector<TetId> targets(const RatedMesh& mesh) const;
 

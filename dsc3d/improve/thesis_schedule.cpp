@@ -6,14 +6,14 @@ namespace dsc::dsc3d {
 
 void ThesisSchedule::run(ImproveRun& run) {
     const ImproveParameters& wanted = run.parameters;
-    Passes passes(run.mesh, {.uses_multi_face_retriangulation = wanted.uses_multi_face_retriangulation}, &run.stop);
+    Passes passes(run.mesh(), {.uses_multi_face_retriangulation = wanted.uses_multi_face_retriangulation}, &run.stop);
     const bool thins = wanted.uses_thinning && !wanted.keeps_vertices;
 
     passes.smooth_all_vertices();
     passes.topological_pass();
-    QualityIndicators before(run.mesh);
+    QualityIndicators before(run.mesh());
     const auto has_improved = [&] {
-        const QualityIndicators now(run.mesh);
+        const QualityIndicators now(run.mesh());
         const bool is_better = now.is_better_than(before, parameters_.least_gain);
         before = now;
         return is_better;

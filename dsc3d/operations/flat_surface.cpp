@@ -233,8 +233,7 @@ private:
 };
 
 FlatSurface::FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& parameters)
-    : patch_(mesh.complex().face_attributes(), no_patch),
-      freedom_(mesh.complex().vertex_attributes()) {
+    : patch_(mesh.complex().face_attributes(), no_patch), freedom_(mesh.complex().vertex_attributes()) {
     Builder builder(*this, mesh, parameters);
     if (parameters.may_change) {
         builder.find_patches();

@@ -7,9 +7,12 @@
 namespace dsc::dsc3d {
 
 RatedMesh::RatedMesh(Mesh& mesh, geometry::QualityMeasure measure, const FlatSurfaceParameters& parameters)
+    : RatedMesh(mesh, measure, FlatSurface(mesh, parameters)) {}
+
+RatedMesh::RatedMesh(Mesh& mesh, geometry::QualityMeasure measure, FlatSurface surface)
     : mesh_(&mesh),
       measure_(measure),
-      surface_(mesh, parameters),
+      surface_(std::move(surface)),
       quality_(mesh.complex().tet_attributes(), 0.0),
       changed_(mesh.complex().vertex_attributes(), 1u),
       walker_(mesh.complex()),

@@ -47,6 +47,10 @@ struct Proposal {
 class RatedMesh {
 public:
     RatedMesh(Mesh& mesh, geometry::QualityMeasure measure, const FlatSurfaceParameters& parameters);
+    /// `surface` has to be one of this mesh.
+    RatedMesh(Mesh& mesh, geometry::QualityMeasure measure, FlatSurface surface);
+    RatedMesh(const RatedMesh&) = delete;
+    RatedMesh& operator=(const RatedMesh&) = delete;
 
     Mesh& mesh() { return *mesh_; }
     const Mesh& mesh() const { return *mesh_; }

@@ -39,7 +39,8 @@ void Smoothing::gather_terms(const RatedMesh& mesh, VertexId v, const Point3& x,
     const bool is_bound = mesh.surface().motion(v) != VertexMotion::free;
     for (std::size_t i = 0; i < link_.size(); ++i) {
         if (qualities_[i] > highest) continue;
-        const int count = geometry::quality_terms(mesh.measure(), x, link_[i][0], link_[i][1], link_[i][2], of_tet, mesh.bias());
+        const int count =
+            geometry::quality_terms(mesh.measure(), x, link_[i][0], link_[i][1], link_[i][2], of_tet, mesh.bias());
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
             if (of_tet[k].value > highest) continue;
             if (is_bound) of_tet[k].gradient = mesh.surface().allowed(v, of_tet[k].gradient);

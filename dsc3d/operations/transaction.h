@@ -2,8 +2,8 @@
 // The record of a compound change that can be taken back: what the operations since its beginning have replaced, moved
 // and removed. A schedule tries several operations one after the other, some of them for the worse, looks at the whole,
 // and keeps it or puts the copy of the cavity back in one replace (RatedMesh::roll_back).
-// Guarantee: taking back restores tetrahedra, labels, positions, patches, freedom and handles of vertices; handles of the
-// other simplices are new. Cost: constant per simplex touched; nothing is allocated in the long run.
+// Guarantee: taking back restores tetrahedra, labels, positions, patches, freedom and handles of vertices; handles of
+// the other simplices are new. Cost: constant per simplex touched; nothing is allocated in the long run.
 #pragma once
 
 #include <cstdint>
