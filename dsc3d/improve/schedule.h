@@ -63,6 +63,7 @@ public:
         double poor = 1.25;              ///< a tetrahedron is poor below this multiple of the worst quality
         std::size_t least_targets = 30;  ///< tetrahedra tried in one round, the worst ones, poor or not
         std::size_t most_targets = 200;
+        std::size_t round = 100;    ///< attempts between two looks at the whole mesh, at least
         int rounds = 20;            ///< of escapes between two passes over the whole mesh
         double least_kept = 0.005;  ///< share of attempts that have to succeed; with less, the search is stuck
         double patience = 0.25;     ///< share of the budget after which a search that is stuck ends
