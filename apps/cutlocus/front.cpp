@@ -360,7 +360,7 @@ FrontParameters plain_front(double time_step) {
     FrontParameters parameters;
     parameters.method = FrontMethod::two_point;
     parameters.time_step = time_step;
-    parameters.spacing = 0.6 * time_step;
+    parameters.spacing = 0.7 * time_step;
     parameters.motion_parts = 3;
     parameters.contact_steps = 1;
     return parameters;
