@@ -33,7 +33,7 @@ double quality_of(QualityMeasure measure, const Corners& p) { return quality(mea
 }  // namespace
 
 TEST_CASE("the regular tetrahedron has the known angles and the best ratios") {
-    const Corners p = {Point3(1, 1, 1), Point3(1, -1, -1), Point3(-1, 1, -1), Point3(-1, -1, 1)};
+    const Corners p = {Point3(1, 1, 1), Point3(-1, 1, -1), Point3(1, -1, -1), Point3(-1, -1, 1)};
     REQUIRE(is_positive(p[0], p[1], p[2], p[3]));
     for (const double angle : dihedral_angles(p[0], p[1], p[2], p[3])) CHECK(angle == Approx(std::acos(1.0 / 3)));
     CHECK(quality_of(QualityMeasure::minimum_sine, p) == Approx(std::sqrt(8.0) / 3));
