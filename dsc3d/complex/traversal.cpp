@@ -61,23 +61,7 @@ void StarWalker::next_epoch() {
 }
 
 std::span<const TetId> StarWalker::star(VertexId v) {
-    next_epoch();
-    star_.clear();
-    const TetId first = complex_->tet(v);
-    tet_stamp_[first.index()] = epoch_;
-    star_.push_back(first);
-    for (std::size_t i = 0; i < star_.size(); ++i) {
-        const TetId t = star_[i];
-        const TetVertices& corners = complex_->vertices(t);
-        for (int k = 0; k < 4; ++k) {
-            if (corners[static_cast<std::size_t>(k)] == v) continue;
-            const TetId next = complex_->neighbour(t, k);
-            if (!next.is_valid() || tet_stamp_[next.index()] == epoch_) continue;
-            tet_stamp_[next.index()] = epoch_;
-            star_.push_back(next);
-        }
-    }
-    return star_;
+    return star_while(v, [](TetId) { return true; });
 }
 
 std::span<const TetId> StarWalker::star(VertexId a, std::vector<VertexId>& others) {

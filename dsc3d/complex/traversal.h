@@ -32,6 +32,26 @@ public:
     /// The tetrahedra at v.
     std::span<const TetId> star(VertexId v);
 
+    /// The tetrahedra at v as far as visit(t) returns true for each; empty when it did not for one of them, and then
+    /// the rest of the star was not looked at.
+    template <class Visit>
+    std::span<const TetId> star_while(VertexId v, Visit&& visit) {
+        next_epoch();
+        star_.clear();
+        add(complex_->tet(v));
+        for (std::size_t i = 0; i < star_.size(); ++i) {
+            const TetId t = star_[i];
+            if (!visit(t)) return {};
+            const TetVertices& corners = complex_->vertices(t);
+            for (int k = 0; k < 4; ++k) {
+                if (corners[static_cast<std::size_t>(k)] == v) continue;
+                const TetId next = complex_->neighbour(t, k);
+                if (next.is_valid() && tet_stamp_[next.index()] != epoch_) add(next);
+            }
+        }
+        return star_;
+    }
+
     /// The tetrahedra at a with, in `others`, their vertices other than a: once each.
     std::span<const TetId> star(VertexId a, std::vector<VertexId>& others);
 
@@ -40,6 +60,10 @@ public:
 
 private:
     void next_epoch();
+    void add(TetId t) {
+        tet_stamp_[t.index()] = epoch_;
+        star_.push_back(t);
+    }
 
     const Complex* complex_;
     std::vector<TetId> star_;

@@ -105,23 +105,24 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
     const Complex& complex = mesh.complex();
     if (!keeps_surface(mesh, e, kept)) return false;
     const VertexId gone = other_end(complex, e, kept);
-    const std::span<const TetId> star = mesh.walker().star(gone);
     proposal.clear();
-    proposal.removed.assign(star.begin(), star.end());
     proposal.gone = gone;
-    proposal.quality_before = mesh.worst_quality(star);
     proposal.quality_after = std::numeric_limits<double>::infinity();
-    const double threshold = std::max(0.0, std::min(proposal.quality_before, enough));
+    // Most attempts would turn a tetrahedron over: they end at the first one.
+    const std::span<const TetId> star = mesh.walker().star_while(gone, [&](TetId t) {
+        if (complex.has_vertex(t, kept)) return true;
+        NewTet tet = {complex.vertices(t), complex.label(t)};
+        tet.vertices[static_cast<std::size_t>(complex.index_of(t, gone))] = kept;
+        proposal.quality_after = std::min(proposal.quality_after, mesh.rate(tet.vertices));
+        proposal.added.push_back(tet);
+        return proposal.quality_after > 0;
+    });
+    if (star.empty() || proposal.added.empty()) return false;
+    proposal.quality_before = mesh.worst_quality(star);
+    if (proposal.quality_after <= std::min(proposal.quality_before, enough)) return false;
+    proposal.removed.assign(star.begin(), star.end());
     for (const TetId t : star) {
-        const TetVertices& corners = complex.vertices(t);
         const int place = complex.index_of(t, gone);
-        if (!complex.has_vertex(t, kept)) {
-            NewTet tet = {corners, complex.label(t)};
-            tet.vertices[static_cast<std::size_t>(place)] = kept;
-            proposal.quality_after = std::min(proposal.quality_after, mesh.rate(tet.vertices));
-            if (proposal.quality_after <= threshold) return false;
-            proposal.added.push_back(tet);
-        }
         if (mesh.surface().motion(gone) == VertexMotion::free) continue;
         for (int i = 0; i < 4; ++i) {
             const FaceId f = complex.faces(t)[static_cast<std::size_t>(i)];
@@ -132,7 +133,7 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
             proposal.surface.push_back({face, mesh.surface().patch(f)});
         }
     }
-    return !proposal.added.empty() && keeps_topology(complex, e, kept, mesh.walker());
+    return keeps_topology(complex, e, kept, mesh.walker());
 }
 
 }  // namespace dsc::dsc3d

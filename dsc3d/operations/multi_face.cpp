@@ -26,28 +26,28 @@ void MultiFace::gather(const RatedMesh& mesh, FaceId f) {
     for (std::size_t i = 0; i < faces_.size(); ++i) add_neighbours(mesh, i);
 }
 
+// The checks that nearly every face fails come first.
 void MultiFace::add_neighbours(const RatedMesh& mesh, std::size_t i) {
     const Complex& complex = mesh.complex();
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (faces_.size() >= static_cast<std::size_t>(max_faces)) return;
-        const Face face = faces_[i];
-        const VertexId x = face.vertices[(k + 1) % 3], y = face.vertices[(k + 2) % 3];
-        const TetId above = complex.neighbour(face.above, complex.index_of(face.above, face.vertices[k]));
-        if (!above.is_valid() || complex.label(above) != label_above_) continue;
-        if (std::any_of(faces_.begin(), faces_.end(), [&](const Face& known) { return known.above == above; }))
-            continue;
+    for (std::size_t k = 0; k < 3 && faces_.size() < static_cast<std::size_t>(max_faces); ++k) {
+        const VertexId behind = faces_[i].vertices[k];
+        const VertexId x = faces_[i].vertices[(k + 1) % 3], y = faces_[i].vertices[(k + 2) % 3];
+        const TetId above = complex.neighbour(faces_[i].above, complex.index_of(faces_[i].above, behind));
+        if (!above.is_valid()) continue;
         VertexId w;
         for (const VertexId v : complex.vertices(above))
             if (v != a_ && v != x && v != y) w = v;
-        const FaceId f = complex.faces(above)[static_cast<std::size_t>(complex.index_of(above, a_))];
         TetId below;
         if (b_.is_valid()) {
-            below = complex.neighbour(face.below, complex.index_of(face.below, face.vertices[k]));
-            if (!below.is_valid() || complex.label(below) != label_below_ || !complex.has_vertex(below, w)) continue;
-        } else if (!complex.is_boundary(f)) {
-            continue;
+            below = complex.neighbour(faces_[i].below, complex.index_of(faces_[i].below, behind));
+            if (!below.is_valid() || !complex.has_vertex(below, w) || complex.label(below) != label_below_) continue;
         }
+        if (complex.label(above) != label_above_) continue;
+        const FaceId f = complex.faces(above)[static_cast<std::size_t>(complex.index_of(above, a_))];
+        if (!b_.is_valid() && !complex.is_boundary(f)) continue;
         if (patch_ != FlatSurface::no_patch && mesh.surface().patch(f) != patch_) continue;
+        if (std::any_of(faces_.begin(), faces_.end(), [&](const Face& known) { return known.above == above; }))
+            continue;
         faces_[i].next[k] = static_cast<int>(faces_.size());
         faces_.push_back({{y, x, w}, above, below});
     }
