@@ -27,10 +27,11 @@ struct Meshes {
     io::TetMeshDialect dialect;  ///< of the input, for the output
 };
 
-std::unique_ptr<dsc3d::Mesh> read_mesh(const std::string& path, io::TetMeshDialect& dialect) {
-    const io::TetMeshFile file = io::read_tet_mesh(path);
+std::unique_ptr<dsc3d::Mesh> read_mesh(const Options& options, io::TetMeshDialect& dialect) {
+    io::TetMeshFile file = io::read_tet_mesh(options.input);
     dialect = file.dialect;
-    return std::make_unique<dsc3d::Mesh>(file.data, path);
+    if (options.merges_regions) file.data.labels.clear();
+    return std::make_unique<dsc3d::Mesh>(file.data, options.input);
 }
 
 Improvement work(const Options& options, core::Observer& observer, Meshes& meshes) {
@@ -38,7 +39,7 @@ Improvement work(const Options& options, core::Observer& observer, Meshes& meshe
     Improvement result{.input = options.input, .output = options.common.output, .parameters = options.parameters};
     const geometry::QualityMeasure measure = options.parameters.measure;
     observer.progress("reading " + options.input, -1, "");
-    std::unique_ptr<dsc3d::Mesh> mesh = read_mesh(options.input, meshes.dialect);
+    std::unique_ptr<dsc3d::Mesh> mesh = read_mesh(options, meshes.dialect);
     meshes.before = mesh->data();
     result.read_seconds = watch.seconds();
     result.before = mesh_statistics(*meshes.before, measure, options.parameters.threads);

@@ -36,6 +36,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.flag("--keep-vertices", parameters.keeps_vertices, "remove no vertex, so that their numbers stay");
     line.heading("Boundary, and interfaces between regions");
     line.flag("--no-boundary", keeps_boundary, "leave its triangles as they are");
+    line.flag("--merge-regions", options.merges_regions, "forget the regions: all are one, without interfaces");
     line.number("--feature-angle", parameters.feature_angle, "edges bent by more than this are ridges, in degrees",
                 {.above = 0, .at_most = 180});
     line.number("--max-boundary-change", parameters.max_boundary_change,

@@ -14,6 +14,7 @@ struct Options {
     std::string input;
     dsc3d::ImproveParameters parameters;
     bool is_report_only = false;
+    bool merges_regions = false;
     std::optional<std::string> svg, html;
     apps::CommonOptions common;
 

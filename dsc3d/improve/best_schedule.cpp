@@ -137,6 +137,7 @@ void BestSchedule::climb(ImproveRun& run) const {
 
 void BestSchedule::run(ImproveRun& run) {
     climb(run);
+    run.mesh().limit_edges(parameters_.edge_growth);
     core::Random seeds(run.parameters.seed);
     std::size_t left = parameters_.budget;
     // Half of the attempts go to the measure asked for, unless they are in vain; then the two ends are balanced.

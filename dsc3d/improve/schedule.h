@@ -67,7 +67,9 @@ public:
         int rounds = 20;            ///< of escapes between two passes over the whole mesh
         double least_kept = 0.005;  ///< share of attempts that have to succeed; with less, the search is stuck
         double patience = 0.25;     ///< share of the budget after which a search that is stuck ends
-        double fine_gain = 0.002;   ///< of a smoothing step, relative; finer than that of algorithm 1
+        /// A collapse makes no edge longer than this multiple of the mean edge length that algorithm 1 has left there.
+        double edge_growth = 1.7;
+        double fine_gain = 0.002;  ///< of a smoothing step, relative; finer than that of algorithm 1
     };
     explicit BestSchedule(const Parameters& parameters) : parameters_(parameters) {}
     void run(ImproveRun& run) override;

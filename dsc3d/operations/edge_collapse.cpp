@@ -111,6 +111,8 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
     // Most attempts would turn a tetrahedron over: they end at the first one.
     const std::span<const TetId> star = mesh.walker().star_while(gone, [&](TetId t) {
         if (complex.has_vertex(t, kept)) return true;
+        for (const VertexId v : complex.vertices(t))
+            if (v != gone && !mesh.allows_edge(kept, v)) return false;
         NewTet tet = {complex.vertices(t), complex.label(t)};
         tet.vertices[static_cast<std::size_t>(complex.index_of(t, gone))] = kept;
         proposal.quality_after = std::min(proposal.quality_after, mesh.rate(tet.vertices));

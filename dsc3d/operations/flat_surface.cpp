@@ -243,8 +243,13 @@ FlatSurface::FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& paramete
     }
 }
 
+FlatSurface::FlatSurface(const Complex& rigid)
+    : patch_(rigid.face_attributes(), no_patch), freedom_(rigid.vertex_attributes()), rigid_(&rigid) {}
+
+FlatSurface FlatSurface::rigid(const Mesh& mesh) { return FlatSurface(mesh.complex()); }
+
 Eigen::Vector3d FlatSurface::allowed(VertexId v, const Eigen::Vector3d& step) const {
-    switch (freedom_[v].motion) {
+    switch (motion(v)) {
         case VertexMotion::free: return step;
         case VertexMotion::plane: {
             const Eigen::Vector3d& n = planes_[static_cast<std::size_t>(freedom_[v].carrier)].normal;
@@ -260,11 +265,11 @@ Eigen::Vector3d FlatSurface::allowed(VertexId v, const Eigen::Vector3d& step) co
 }
 
 Point3 FlatSurface::settled(VertexId v, const Point3& position) const {
-    if (freedom_[v].motion == VertexMotion::plane) {
+    if (motion(v) == VertexMotion::plane) {
         const Plane& plane = planes_[static_cast<std::size_t>(freedom_[v].carrier)];
         return position - plane.normal.dot(position - plane.point) * plane.normal;
     }
-    if (freedom_[v].motion == VertexMotion::line) {
+    if (motion(v) == VertexMotion::line) {
         const Line& line = lines_[static_cast<std::size_t>(freedom_[v].carrier)];
         return line.point + line.direction.dot(position - line.point) * line.direction;
     }
@@ -287,7 +292,7 @@ std::int32_t FlatSurface::flat_patch(const Complex& complex, const EdgeRing& rin
         const VertexId opposite = is_last ? ring.link[i - 1] : ring.link[i + 1];
         const FaceId f = complex.faces(t)[static_cast<std::size_t>(complex.index_of(t, opposite))];
         if (!complex.is_surface(f)) continue;
-        if (common != no_patch && patch_[f] != common) return no_patch;
+        if (patch_[f] == no_patch || (common != no_patch && patch_[f] != common)) return no_patch;
         common = patch_[f];
     }
     return common;

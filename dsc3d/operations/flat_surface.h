@@ -36,12 +36,19 @@ public:
     };
 
     FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& parameters);
+    /// A surface that stays as it is, also while labels change: what is on the surface is fixed, what is off it is
+    /// free. The mesh must stay at its address.
+    static FlatSurface rigid(const Mesh& mesh);
+    bool is_rigid() const { return rigid_ != nullptr; }
 
     /// The patch of a surface face; faces of two patches are never exchanged.
     std::int32_t patch(FaceId f) const { return patch_[f]; }
     void set_patch(FaceId f, std::int32_t patch) { patch_[f] = patch; }
 
-    VertexMotion motion(VertexId v) const { return freedom_[v].motion; }
+    VertexMotion motion(VertexId v) const {
+        if (rigid_ != nullptr) return rigid_->is_surface(v) ? VertexMotion::fixed : VertexMotion::free;
+        return freedom_[v].motion;
+    }
     const Freedom& freedom(VertexId v) const { return freedom_[v]; }
     void set_freedom(VertexId v, const Freedom& freedom) { freedom_[v] = freedom; }
     /// `step` reduced to a direction in which v may move.
@@ -66,10 +73,13 @@ private:
 
     class Builder;
 
+    explicit FlatSurface(const Complex& rigid);
+
     core::Attribute<FaceId, std::int32_t> patch_;
     core::Attribute<VertexId, Freedom> freedom_;
     std::vector<Plane> planes_;  ///< by patch
     std::vector<Line> lines_;
+    const Complex* rigid_ = nullptr;
 };
 
 }  // namespace dsc::dsc3d

@@ -20,7 +20,8 @@ void MultiFace::gather(const RatedMesh& mesh, FaceId f) {
         b_ = complex.vertices(below)[static_cast<std::size_t>(complex.index_of(below, f))];
         label_below_ = complex.label(below);
     }
-    patch_ = complex.is_surface(f) ? mesh.surface().patch(f) : FlatSurface::no_patch;
+    is_surface_ = complex.is_surface(f);
+    patch_ = mesh.surface().patch(f);
     faces_.clear();
     faces_.push_back({{outwards[0], outwards[2], outwards[1]}, above, below});
     for (std::size_t i = 0; i < faces_.size(); ++i) add_neighbours(mesh, i);
@@ -45,7 +46,7 @@ void MultiFace::add_neighbours(const RatedMesh& mesh, std::size_t i) {
         if (complex.label(above) != label_above_) continue;
         const FaceId f = complex.faces(above)[static_cast<std::size_t>(complex.index_of(above, a_))];
         if (!b_.is_valid() && !complex.is_boundary(f)) continue;
-        if (patch_ != FlatSurface::no_patch && mesh.surface().patch(f) != patch_) continue;
+        if (is_surface_ && (patch_ == FlatSurface::no_patch || mesh.surface().patch(f) != patch_)) continue;
         if (std::any_of(faces_.begin(), faces_.end(), [&](const Face& known) { return known.above == above; }))
             continue;
         faces_[i].next[k] = static_cast<int>(faces_.size());
@@ -77,7 +78,7 @@ void MultiFace::collect(const Face& face, std::size_t edges, Proposal& proposal)
 }
 
 bool MultiFace::propose_removal(const RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted) {
-    if (patch_ != FlatSurface::no_patch) return false;
+    if (is_surface_) return false;
     // A face stands behind all that were entered from it.
     for (std::size_t i = faces_.size(); i-- > 0;)
         for (std::size_t k = 0; k < (i == 0 ? 3u : 2u); ++k) choose_beyond(mesh, faces_[i], k);
@@ -143,7 +144,7 @@ bool MultiFace::propose_retriangulation(const RatedMesh& mesh, Proposal& proposa
     best.for_each_triangle([&](int i, int j, int k) {
         proposal.added.push_back({{at(i), at(j), at(k), a_}, label_above_});
         if (b_.is_valid()) proposal.added.push_back({{at(i), at(k), at(j), b_}, label_below_});
-        if (patch_ != FlatSurface::no_patch) proposal.surface.push_back({{at(i), at(j), at(k)}, patch_});
+        if (is_surface_) proposal.surface.push_back({{at(i), at(j), at(k)}, patch_});
     });
     return true;
 }

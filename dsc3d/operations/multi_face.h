@@ -51,7 +51,8 @@ private:
     bool find_polygon();
 
     VertexId a_, b_;  ///< b is invalid on the boundary
-    std::int32_t patch_ = FlatSurface::no_patch;
+    bool is_surface_ = false;
+    std::int32_t patch_ = FlatSurface::no_patch;  ///< of the faces, when they are on the surface
     int label_above_ = 0;
     int label_below_ = 0;
     std::vector<Face> faces_;

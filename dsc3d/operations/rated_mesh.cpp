@@ -15,6 +15,7 @@ RatedMesh::RatedMesh(Mesh& mesh, geometry::QualityMeasure measure, FlatSurface s
       surface_(std::move(surface)),
       quality_(mesh.complex().tet_attributes(), 0.0),
       changed_(mesh.complex().vertex_attributes(), 1u),
+      longest_edge_(mesh.complex().vertex_attributes(), std::numeric_limits<double>::infinity()),
       walker_(mesh.complex()),
       transaction_(mesh.complex()) {
     set_measure(measure);
@@ -25,6 +26,21 @@ void RatedMesh::set_measure(geometry::QualityMeasure measure, double bias) {
     bias_ = bias;
     for (std::uint32_t i = 0; i < complex().tet_capacity(); ++i)
         if (!complex().is_deleted(TetId(i))) quality_[TetId(i)] = rate(complex().vertices(TetId(i)));
+}
+
+void RatedMesh::limit_edges(double growth) {
+    std::vector<std::pair<double, int>> at_vertex(complex().vertex_capacity());
+    for (std::uint32_t i = 0; i < complex().edge_capacity(); ++i) {
+        if (complex().is_deleted(EdgeId(i))) continue;
+        const auto [a, b] = complex().vertices(EdgeId(i));
+        for (const VertexId v : {a, b}) {
+            at_vertex[v.index()].first += (position(a) - position(b)).norm();
+            ++at_vertex[v.index()].second;
+        }
+    }
+    for (std::uint32_t i = 0; i < complex().vertex_capacity(); ++i)
+        if (!complex().is_deleted(VertexId(i)))
+            longest_edge_[VertexId(i)] = growth * at_vertex[i].first / at_vertex[i].second;
 }
 
 double RatedMesh::worst_quality(std::span<const TetId> tets) const {
@@ -38,7 +54,8 @@ bool RatedMesh::apply(const Proposal& proposal) {
         if (!mesh_->is_positive(tet.vertices)) return false;
     if (transaction_.is_open()) {
         for (const TetId t : proposal.removed) transaction_.note_removal(*mesh_, surface_, t, quality_[t]);
-        if (proposal.gone.is_valid()) transaction_.note_vertex_removal(*mesh_, surface_, proposal.gone);
+        if (proposal.gone.is_valid())
+            transaction_.note_vertex_removal(*mesh_, surface_, proposal.gone, longest_edge_[proposal.gone]);
     }
     exchange(proposal.removed, proposal.added, proposal.surface);
     return true;
@@ -56,7 +73,7 @@ void RatedMesh::exchange(std::span<const TetId> removed, std::span<const NewTet>
         if (transaction_.is_open()) transaction_.note_new(change.added_tets[i]);
     }
     for (const FaceId f : change.added_faces) {
-        if (!complex().is_surface(f)) continue;
+        if (surface_.is_rigid() || !complex().is_surface(f)) continue;
         const FaceVertices corners = complex().vertices(f);
         const auto known = std::find_if(surface.begin(), surface.end(), [&](const SurfaceFace& face) {
             return std::is_permutation(corners.begin(), corners.end(), face.vertices.begin());
@@ -96,6 +113,7 @@ void RatedMesh::roll_back() {
         DSC_ASSERT(v == gone.vertex);
         mesh_->set_position(gone.vertex, gone.position);
         surface_.set_freedom(gone.vertex, gone.freedom);
+        longest_edge_[gone.vertex] = gone.longest_edge;
     }
     for (const auto& [v, position] : taken.moves_) mesh_->set_position(v, position);
     std::vector<TetId> added;

@@ -8,6 +8,7 @@
 // Cost: linear in the cavity; 16 bytes per tetrahedron beside the mesh.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -70,6 +71,14 @@ public:
     }
     double rate(const TetVertices& v) const { return rate(v[0], v[1], v[2], v[3]); }
 
+    /// From now on a collapse makes no edge longer than `growth` times the present mean length of the edges at its
+    /// ends.
+    void limit_edges(double growth);
+    bool allows_edge(VertexId a, VertexId b) const {
+        const double longest = std::max(longest_edge_[a], longest_edge_[b]);
+        return (position(a) - position(b)).squaredNorm() <= longest * longest;
+    }
+
     /// False, and nothing is changed, when a new tetrahedron is not positive by exact predicate.
     bool apply(const Proposal& proposal);
     /// Moves a vertex; false, and nothing is changed, when a tetrahedron of `star` (all that have v) would not stay
@@ -100,6 +109,7 @@ private:
     FlatSurface surface_;
     core::Attribute<TetId, double> quality_;
     core::Attribute<VertexId, std::uint32_t> changed_;
+    core::Attribute<VertexId, double> longest_edge_;
     std::uint32_t time_ = 1;
     StarWalker walker_;
     Transaction transaction_;

@@ -45,8 +45,8 @@ void Transaction::note_removal(const Mesh& mesh, const FlatSurface& surface, Tet
     state_[t] = State::untouched;
 }
 
-void Transaction::note_vertex_removal(const Mesh& mesh, const FlatSurface& surface, VertexId v) {
-    removed_vertices_.push_back({v, mesh.position(v), surface.freedom(v)});
+void Transaction::note_vertex_removal(const Mesh& mesh, const FlatSurface& surface, VertexId v, double longest_edge) {
+    removed_vertices_.push_back({v, mesh.position(v), surface.freedom(v), longest_edge});
 }
 
 void Transaction::note_new(TetId t) {

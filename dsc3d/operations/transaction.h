@@ -41,12 +41,13 @@ private:
         VertexId vertex;
         Point3 position;
         FlatSurface::Freedom freedom;
+        double longest_edge;
     };
 
     void open();
     void close();
     void note_removal(const Mesh& mesh, const FlatSurface& surface, TetId t, double quality);
-    void note_vertex_removal(const Mesh& mesh, const FlatSurface& surface, VertexId v);
+    void note_vertex_removal(const Mesh& mesh, const FlatSurface& surface, VertexId v, double longest_edge);
     void note_new(TetId t);
     void note_change(TetId t, double quality);
     void note_move(VertexId v, const Point3& before);

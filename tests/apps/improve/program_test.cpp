@@ -155,6 +155,15 @@ TEST_CASE("regions keep their labels and their interface") {
     CHECK(read_json(json)["after"]["regions"].integer() == 2);
 }
 
+TEST_CASE("--merge-regions forgets the labels and frees the interface") {
+    const TemporaryFolder folder;
+    const std::string input = write_mesh(folder, "in.mesh", two_regions(4)), json = (folder / "r.json").string();
+    improve_output({input, "--merge-regions", "--json", json});
+    const auto report = read_json(json);
+    CHECK(report["before"]["regions"].integer() == 1);
+    CHECK(report["after"]["regions"].integer() == 1);
+}
+
 TEST_CASE("--keep-vertices keeps them all and --no-boundary every triangle of the boundary") {
     const TemporaryFolder folder;
     const TetData before = shaken_box(4);
