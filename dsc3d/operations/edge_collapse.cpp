@@ -131,10 +131,14 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
             if (i == place || !complex.is_surface(f)) continue;
             FaceVertices face = complex.vertices(f);
             if (std::find(face.begin(), face.end(), kept) != face.end()) continue;
+            // A sliver that lies flat on the surface: its face with `kept`, which stays, would become one of the
+            // surface.
+            if (complex.has_vertex(t, kept)) return false;
             std::replace(face.begin(), face.end(), gone, kept);
             proposal.surface.push_back({face, mesh.surface().patch(f)});
         }
     }
+    if (!proposal.surface.empty() && proposal.quality_after <= least_surface_quality) return false;
     return keeps_topology(complex, e, kept, mesh.walker());
 }
 

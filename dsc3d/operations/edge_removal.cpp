@@ -30,7 +30,7 @@ void begin_at_interface(const Complex& complex, EdgeRing& ring) {
 
 }  // namespace
 
-bool EdgeRemoval::propose(const RatedMesh& mesh, EdgeId e, Proposal& proposal, std::optional<double> wanted) {
+bool EdgeRemoval::propose(RatedMesh& mesh, EdgeId e, Proposal& proposal, std::optional<double> wanted) {
     const Complex& complex = mesh.complex();
     const bool is_surface = complex.is_surface(e);
     if (is_surface && complex.surface_degree(e) != 2) return false;
@@ -42,7 +42,8 @@ bool EdgeRemoval::propose(const RatedMesh& mesh, EdgeId e, Proposal& proposal, s
     proposal.removed = ring_.tets;
     proposal.quality_before = mesh.worst_quality(ring_.tets);
     proposal.quality_after = std::numeric_limits<double>::infinity();
-    const double threshold = std::max(0.0, wanted.value_or(proposal.quality_before + least_quality_gain));
+    const double threshold = std::max(is_surface ? least_surface_quality : 0.0,
+                                      wanted.value_or(proposal.quality_before + least_quality_gain));
 
     if (!is_surface) return n >= 3 && add_arc(mesh, 0, n, threshold, proposal);
 
@@ -55,7 +56,8 @@ bool EdgeRemoval::propose(const RatedMesh& mesh, EdgeId e, Proposal& proposal, s
     if (ring_.is_closed && (n - middle < 2 || !add_arc(mesh, middle, n - middle + 1, threshold, proposal)))
         return false;
     proposal.surface = {{{ring_.a, c, d}, patch}, {{ring_.b, c, d}, patch}};
-    return true;
+    // Where a surface is flat up to its tolerance, c and d can be joined already, along a ridge.
+    return !mesh.walker().edge_between(c, d).is_valid();
 }
 
 // Triangulates the part of the link that begins at vertex `begin`; its first and last vertex are joined.

@@ -19,7 +19,7 @@ public:
 
     /// Fills `proposal` with the best way to remove e whose worst tetrahedron is better than `wanted`, if there is one;
     /// by default better than the worst of those that go.
-    bool propose(const RatedMesh& mesh, EdgeId e, Proposal& proposal, std::optional<double> wanted = {});
+    bool propose(RatedMesh& mesh, EdgeId e, Proposal& proposal, std::optional<double> wanted = {});
 
 private:
     bool add_arc(const RatedMesh& mesh, std::size_t begin, std::size_t vertices, double threshold, Proposal& proposal);

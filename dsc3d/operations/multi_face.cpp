@@ -38,6 +38,7 @@ void MultiFace::add_neighbours(const RatedMesh& mesh, std::size_t i) {
         VertexId w;
         for (const VertexId v : complex.vertices(above))
             if (v != a_ && v != x && v != y) w = v;
+        if (w == b_) continue;  // the edge xy has three tetrahedra: the multi-face ends there
         TetId below;
         if (b_.is_valid()) {
             below = complex.neighbour(faces_[i].below, complex.index_of(faces_[i].below, behind));
@@ -123,7 +124,7 @@ bool MultiFace::find_polygon() {
     return at == polygon_.front() && polygon_.size() == count;
 }
 
-bool MultiFace::propose_retriangulation(const RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted) {
+bool MultiFace::propose_retriangulation(RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted) {
     if (faces_.size() < 2 || !find_polygon()) return false;
     proposal.clear();
     for (const Face& face : faces_) {
@@ -131,7 +132,8 @@ bool MultiFace::propose_retriangulation(const RatedMesh& mesh, Proposal& proposa
         if (b_.is_valid()) proposal.removed.push_back(face.below);
     }
     proposal.quality_before = mesh.worst_quality(proposal.removed);
-    const double threshold = std::max(0.0, wanted.value_or(proposal.quality_before + least_quality_gain));
+    const double threshold = std::max(is_surface_ ? least_surface_quality : 0.0,
+                                      wanted.value_or(proposal.quality_before + least_quality_gain));
     const auto at = [&](int i) { return polygon_[static_cast<std::size_t>(i)]; };
     const geometry::PolygonTriangulation<max_faces + 2> best(
         static_cast<int>(polygon_.size()), threshold, [&](int i, int j, int k) {
@@ -141,12 +143,27 @@ bool MultiFace::propose_retriangulation(const RatedMesh& mesh, Proposal& proposa
         });
     if (!best.is_possible()) return false;
     proposal.quality_after = best.value();
+    bool is_simplicial = true;
     best.for_each_triangle([&](int i, int j, int k) {
         proposal.added.push_back({{at(i), at(j), at(k), a_}, label_above_});
         if (b_.is_valid()) proposal.added.push_back({{at(i), at(k), at(j), b_}, label_below_});
-        if (is_surface_) proposal.surface.push_back({{at(i), at(j), at(k)}, patch_});
+        if (!is_surface_) return;
+        proposal.surface.push_back({{at(i), at(j), at(k)}, patch_});
+        is_simplicial = is_simplicial && !joins_again(mesh, at(i), at(j)) && !joins_again(mesh, at(j), at(k)) &&
+                        !joins_again(mesh, at(k), at(i));
     });
-    return true;
+    return is_simplicial;
+}
+
+// Where a surface is flat up to its tolerance, x and y can be joined outside the multi-face already, along a ridge.
+bool MultiFace::joins_again(RatedMesh& mesh, VertexId x, VertexId y) const {
+    const bool is_side = std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
+        const auto has = [&](VertexId v) {
+            return std::find(face.vertices.begin(), face.vertices.end(), v) != face.vertices.end();
+        };
+        return has(x) && has(y);
+    });
+    return !is_side && mesh.walker().edge_between(x, y).is_valid();
 }
 
 }  // namespace dsc::dsc3d

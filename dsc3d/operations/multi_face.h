@@ -32,7 +32,7 @@ public:
 
     /// The best triangulation of the multi-face, if its worst tetrahedron is better than `wanted`; by default better
     /// than before.
-    bool propose_retriangulation(const RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted = {});
+    bool propose_retriangulation(RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted = {});
 
 private:
     /// A face [v0 v1 v2], counterclockwise seen from a. All faces but the first, which f is, were entered across their
@@ -49,6 +49,7 @@ private:
     void choose_beyond(const RatedMesh& mesh, Face& face, std::size_t edge);
     void collect(const Face& face, std::size_t edges, Proposal& proposal) const;
     bool find_polygon();
+    bool joins_again(RatedMesh& mesh, VertexId x, VertexId y) const;
 
     VertexId a_, b_;  ///< b is invalid on the boundary
     bool is_surface_ = false;

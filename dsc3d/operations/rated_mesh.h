@@ -26,6 +26,10 @@ namespace dsc::dsc3d {
 /// The same tetrahedron rated from another vertex differs by rounding: smaller gains than this are none.
 inline constexpr double least_quality_gain = 1e-9;
 
+/// Vertices of a flat surface lie in their plane up to rounding only: of tetrahedra flatter than this, exact positivity
+/// does not say whether surface faces overlap, so that no operation makes them there.
+inline constexpr double least_surface_quality = 1e-9;
+
 /// A change of the connectivity. `quality_before` and `quality_after` are the worst of what goes and what comes.
 struct Proposal {
     std::vector<TetId> removed;

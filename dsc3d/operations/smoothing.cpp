@@ -61,25 +61,28 @@ double Smoothing::first_scale(const Point3& x) const {
 Point3 Smoothing::best_place(const RatedMesh& mesh, VertexId v, std::span<const TetId> star, double* quality) {
     Point3 x = mesh.position(v);
     double value = mesh.worst_quality(star);
-    if (mesh.surface().motion(v) != VertexMotion::fixed && value > 0) {
-        gather_link(mesh, v, star);
-        gather_terms(mesh, v, x, value);
-        double s = first_scale(x);
-        for (int step = 0; step < parameters_.max_steps; ++step) {
-            const MaxMinStep next = max_min_step(terms_, s);
-            const double predicted_gain = next.predicted - value;
-            if (predicted_gain < parameters_.least_gain * value) break;
-            const Point3 there = mesh.surface().settled(v, x + next.step);
-            const double found = rate_link(mesh, there, value);
-            if (found < value + parameters_.accepted_share * predicted_gain) {
-                s *= 0.2;
-                continue;
-            }
-            if (found > value + 0.5 * predicted_gain) s *= 3;
-            x = there;
-            value = found;
-            gather_terms(mesh, v, x, value);
+    if (quality != nullptr) *quality = value;
+    const VertexMotion motion = mesh.surface().motion(v);
+    if (motion == VertexMotion::fixed || value <= 0) return x;
+    gather_link(mesh, v, star);
+    // Of a tetrahedron that is all rounding error even the sign depends on which vertex comes first.
+    if (value <= least_surface_quality && (motion != VertexMotion::free || rate_link(mesh, x, 0) <= 0)) return x;
+    gather_terms(mesh, v, x, value);
+    double s = first_scale(x);
+    for (int step = 0; step < parameters_.max_steps; ++step) {
+        const MaxMinStep next = max_min_step(terms_, s);
+        const double predicted_gain = next.predicted - value;
+        if (predicted_gain < parameters_.least_gain * value) break;
+        const Point3 there = mesh.surface().settled(v, x + next.step);
+        const double found = rate_link(mesh, there, value);
+        if (found < value + parameters_.accepted_share * predicted_gain) {
+            s *= 0.2;
+            continue;
         }
+        if (found > value + 0.5 * predicted_gain) s *= 3;
+        x = there;
+        value = found;
+        gather_terms(mesh, v, x, value);
     }
     if (quality != nullptr) *quality = value;
     return x;
