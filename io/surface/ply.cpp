@@ -2,7 +2,6 @@
 #include "io/surface/ply.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -19,33 +18,26 @@ using tet::NumberType;
 
 constexpr const char* truncated = "the file is truncated or a count is wrong";
 
-constexpr std::array<std::pair<std::string_view, NumberType>, 18> type_names{{{"char", NumberType::int8},
-                                                                              {"int8", NumberType::int8},
-                                                                              {"uchar", NumberType::uint8},
-                                                                              {"uint8", NumberType::uint8},
-                                                                              {"short", NumberType::int16},
-                                                                              {"int16", NumberType::int16},
-                                                                              {"ushort", NumberType::uint16},
-                                                                              {"uint16", NumberType::uint16},
-                                                                              {"int", NumberType::int32},
-                                                                              {"int32", NumberType::int32},
-                                                                              {"uint", NumberType::uint32},
-                                                                              {"uint32", NumberType::uint32},
-                                                                              {"int64", NumberType::int64},
-                                                                              {"uint64", NumberType::uint64},
-                                                                              {"float", NumberType::float32},
-                                                                              {"float32", NumberType::float32},
-                                                                              {"double", NumberType::float64},
-                                                                              {"float64", NumberType::float64}}};
+struct TypeName {
+    std::string_view original;
+    std::string_view by_width;
+    NumberType type;
+};
+
+constexpr TypeName type_names[] = {
+    {"char", "int8", NumberType::int8},        {"uchar", "uint8", NumberType::uint8},
+    {"short", "int16", NumberType::int16},     {"ushort", "uint16", NumberType::uint16},
+    {"int", "int32", NumberType::int32},       {"uint", "uint32", NumberType::uint32},
+    {"long", "int64", NumberType::int64},      {"ulong", "uint64", NumberType::uint64},
+    {"float", "float32", NumberType::float32}, {"double", "float64", NumberType::float64}};
 
 NumberType read_type(TextScanner& scanner) {
     const std::string_view word = scanner.word("the type of a property");
-    const auto* found = std::ranges::find(type_names, word, &decltype(type_names)::value_type::first);
-    if (found == type_names.end()) {
-        scanner.fail(in_quotes(word) + " where the type of a property is expected",
-                     "use char, uchar, short, ushort, int, uint, float or double");
+    for (const TypeName& name : type_names) {
+        if (word == name.original || word == name.by_width) return name.type;
     }
-    return found->second;
+    scanner.fail(in_quotes(word) + " where the type of a property is expected",
+                 "use char, uchar, short, ushort, int, uint, float or double");
 }
 
 bool is_real(NumberType type) { return type == NumberType::float32 || type == NumberType::float64; }
