@@ -7,8 +7,7 @@
 // more, and are found by geometry/surface_intersections.h.
 //
 //     const geometry::SurfaceCheck check = geometry::check_surface(surface);
-//     if (!check.is_closed()) throw core::InputError(path, place_of(check.open_edges.front()), "the surface is open",
-//     …);
+//     if (check.genus) std::cout << "genus " << *check.genus << ", volume " << *check.volume << '\n';
 #pragma once
 
 #include <array>
