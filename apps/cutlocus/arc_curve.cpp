@@ -71,6 +71,7 @@ ArcCurve::ArcCurve(GeodesicFlow& flow, const std::vector<Meeting>& meetings, con
     const std::vector<double> borders = panel_borders(flow, meetings, parameters.panel_length);
     const double smallest_panel = std::ldexp(1.0, -parameters.max_halvings);
     smallest_j_ = std::numeric_limits<double>::infinity();
+    std::optional<GeodesicFlow> fine_flow;  // for the panel next to a conjugate end, once it has missed
 
     struct Interval {
         double begin, end, fraction;
@@ -80,8 +81,17 @@ ArcCurve::ArcCurve(GeodesicFlow& flow, const std::vector<Meeting>& meetings, con
     while (!pending.empty()) {
         const Interval interval = pending.back();
         pending.pop_back();
-        std::optional<Panel> panel = solve_panel(flow, interval.begin, interval.end, parameters.tolerance, anchors);
+        const bool is_at_end = interval.begin == 0;
+        GeodesicFlow& used = is_at_end && fine_flow ? *fine_flow : flow;
+        std::optional<Panel> panel = solve_panel(used, interval.begin, interval.end, parameters.tolerance, anchors);
         const double missed = panel ? miss(flow, *panel, meetings.front().lattice) : 0;
+        if (missed > parameters.tolerance && is_at_end && !fine_flow) {
+            // Only the arc's two ends stay as they are.
+            fine_flow.emplace(flow.metric(), flow.origin(), parameters.fine_step_tolerance);
+            for (auto& [w, anchor] : anchors) anchor.is_exact = w == meetings.front().w || w == meetings.back().w;
+            pending.push_back(interval);
+            continue;
+        }
         if (!panel || missed > parameters.tolerance) {
             const double half = interval.fraction / 2, middle = (interval.begin + interval.end) / 2;
             if (half < smallest_panel)

@@ -2,6 +2,11 @@
 // One arc of a cut locus as a piecewise polynomial, from exact meetings at Chebyshev nodes of its parameter w (half the
 // difference of the two directions; see geodesic/meeting.h), in w² next to a conjugate end, where the arc is even in w.
 // Every panel is judged at points between its nodes by integrating both geodesics anew, and halved until they hit.
+//
+// Near a conjugate end, `middle` is ill-conditioned: an error e of the integrator, in the difference of two geodesics,
+// moves it by about e / w³. That is harmless at the node itself, where the Jacobi field j is of the order of w², but
+// the polynomial carries it to where j is larger. Halving does not help: e falls like w, so that the miss stays the
+// same. Such a panel is first solved anew with a finer integrator.
 #pragma once
 
 #include <map>
@@ -19,6 +24,8 @@ struct ArcParameters {
     int degree = 32;            ///< of the polynomial of a panel; a power of two from 8 on
     double panel_length = 1.5;  ///< length of a panel on the surface at the start
     int max_halvings = 12;      ///< of a panel before the arc is given up
+    /// Local error of the integrator's steps where a panel next to a conjugate end misses.
+    double fine_step_tolerance = 1e-13;
 };
 
 /// The arc can't be followed from one of its meetings to the next: Newton's method fails, or a geodesic has passed a

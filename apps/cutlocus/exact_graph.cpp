@@ -22,6 +22,8 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 /// Local error of the integrator's steps, in units of what the end of a geodesic may be off.
 constexpr double exact_step_tolerance = 1e-2;
+/// The same next to a conjugate end, where that is not always enough; and as much as round-off allows.
+constexpr double fine_step_tolerance = 1e-4, finest_step_tolerance = 1e-14;
 
 /// An arc between two solved vertices: gaps on its two sides at either end, and the meetings in between.
 struct ArcPlan {
@@ -206,6 +208,7 @@ SolvedArc solve_arc(GeodesicFlow& flow, const Skeleton& skeleton, const ArcPlan&
     SolvedArc result;
     ArcParameters arc_parameters;
     arc_parameters.tolerance = parameters.tolerance / 10;
+    arc_parameters.fine_step_tolerance = std::max(fine_step_tolerance * parameters.tolerance, finest_step_tolerance);
     try {
         const std::vector<Meeting> anchors = anchors_of(flow, skeleton, plan);
         const ArcCurve curve(flow, anchors, arc_parameters);

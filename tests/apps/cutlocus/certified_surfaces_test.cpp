@@ -85,6 +85,10 @@ TEST_CASE("the certificate holds on random trigonometric metrics", "[slow]") {
     check_locus(metric, {random.uniform(-pi, pi), random.uniform(-pi, pi)});
 }
 
+TEST_CASE("the certificate holds where the integrator's errors jump next to an end", "[slow]") {
+    check_locus(ExpressionMetric(jumping_end_metric, torus_periods), jumping_end_point);
+}
+
 TEST_CASE("an end on an arc too short for the front is found and told from the announced ones", "[slow]") {
     const ExpressionMetric metric(hidden_end_metric, torus_periods);
     CutLocusParameters parameters;

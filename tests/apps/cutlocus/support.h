@@ -76,5 +76,13 @@ inline const std::string hidden_end_metric =
     "G=exp(0.009*cos(2*u+1*v+3.442)+-0.262*cos(2*u+0*v+4.994)+0.117*cos(2*u+0*v+4.170))*(1.5+-0.052*cos(2*u+1*v+1.719)"
     "+0.095*cos(2*u+1*v+4.066))";
 inline const geodesic::Point2 hidden_end_point{1.7858, -0.9127};
+/// Has an end next to which the integrator's errors jump enough to spoil a polynomial through the directions.
+inline const std::string jumping_end_metric =
+    "E=exp(0+(0.159244)*cos(2*u+(3)*v+4.024768)+(-0.270653)*cos(2*u+(-1)*v+3.757742)+(-0.348821)*cos(2*u"
+    "+(1)*v+1.935203))*(1+0+(-0.296881)*cos(2*u+(3)*v+2.279517)+(-0.101019)*cos(3*u+(-3)*v+5.940059));"
+    "F=0.2+0+(0.034134)*cos(2*u+(1)*v+3.235211)+(0.025979)*cos(3*u+(2)*v+0.261421);"
+    "G=exp(0+(0.159244)*cos(2*u+(3)*v+4.024768)+(-0.270653)*cos(2*u+(-1)*v+3.757742)+(-0.348821)*cos(2*u"
+    "+(1)*v+1.935203))*(1.5+0+(0.027243)*cos(0*u+(-1)*v+2.201472)+(0.339872)*cos(3*u+(1)*v+0.134766))";
+inline const geodesic::Point2 jumping_end_point{2.71517141223728, 0.5032386334517884};
 
 }  // namespace dsc::tests
