@@ -2,7 +2,10 @@
 #include "dsc3d/operations/rated_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "dsc3d/operations/split.h"
 
 namespace dsc::dsc3d {
 
@@ -83,11 +86,12 @@ void RatedMesh::exchange(std::span<const TetId> removed, std::span<const NewTet>
     }
 }
 
-bool RatedMesh::move(VertexId v, const Point3& position, std::span<const TetId> star) {
+bool RatedMesh::move(VertexId v, const Point3& position, std::span<const TetId> star, double least) {
     const Point3 before = mesh_->position(v);
     mesh_->set_position(v, position);
     for (const TetId t : star) {
-        if (mesh_->is_positive(complex().vertices(t))) continue;
+        const TetVertices& corners = complex().vertices(t);
+        if (mesh_->is_positive(corners) && (std::isinf(least) || rate(corners) >= least)) continue;
         mesh_->set_position(v, before);
         return false;
     }
@@ -98,6 +102,21 @@ bool RatedMesh::move(VertexId v, const Point3& position, std::span<const TetId> 
         rate_again(t);
     }
     return true;
+}
+
+bool RatedMesh::split(EdgeId e, const Point3& position) {
+    DSC_ASSERT(!transaction_.is_open());
+    if (!can_split(*mesh_, e, position)) return false;
+    const VertexId m = dsc3d::split(*mesh_, e, position);
+    ++time_;
+    for (const TetId t : walker_.star(m)) rate_again(t);
+    return true;
+}
+
+void RatedMesh::set_label(TetId t, int label) {
+    mesh_->complex().set_label(t, label);
+    ++time_;
+    for (const VertexId v : complex().vertices(t)) changed_[v] = time_;
 }
 
 void RatedMesh::rate_again(TetId t) {

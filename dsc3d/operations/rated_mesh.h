@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -86,8 +87,13 @@ public:
     /// False, and nothing is changed, when a new tetrahedron is not positive by exact predicate.
     bool apply(const Proposal& proposal);
     /// Moves a vertex; false, and nothing is changed, when a tetrahedron of `star` (all that have v) would not stay
-    /// positive by exact predicate.
-    bool move(VertexId v, const Point3& position, std::span<const TetId> star);
+    /// positive by exact predicate, or would be worse than `least`.
+    bool move(VertexId v, const Point3& position, std::span<const TetId> star,
+              double least = -std::numeric_limits<double>::infinity());
+    /// Splits an edge; false, and nothing is changed, when a part would not be positive by exact predicate.
+    /// Precondition: no transaction is open.
+    bool split(EdgeId e, const Point3& position);
+    void set_label(TetId t, int label);
 
     /// From here on changes can be taken back, all at once. Precondition: no transaction is open.
     void begin() { transaction_.open(); }
