@@ -2,25 +2,15 @@
 #include "dsc3d/complex/validate.h"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
-#include <set>
+#include <span>
+#include <utility>
 
 namespace dsc::dsc3d {
 
 namespace {
 
-struct FaceRecord {
-    std::vector<TetId> tets;
-    int parity_sum = 0;  ///< of the induced orientations against the ascending order
-};
-
-// What the tetrahedra alone say.
-struct Reconstruction {
-    std::map<FaceVertices, FaceRecord> faces;
-    std::map<EdgeVertices, std::vector<TetId>> edges;
-    std::map<VertexId, std::vector<TetId>> vertices;
-};
+template <std::size_t N>
+using Key = std::array<VertexId, N>;  ///< of a simplex: its vertices in ascending order
 
 template <std::size_t N>
 std::string text(const std::array<VertexId, N>& vertices) {
@@ -31,7 +21,7 @@ std::string text(const std::array<VertexId, N>& vertices) {
 
 // Ascending order of `v`, and the sign of the permutation that gives it.
 template <std::size_t N>
-std::pair<std::array<VertexId, N>, int> ascending(std::array<VertexId, N> v) {
+std::pair<Key<N>, int> ascending(std::array<VertexId, N> v) {
     int sign = 1;
     for (std::size_t i = 0; i < N; ++i) {
         for (std::size_t j = i + 1; j < N; ++j) {
@@ -41,12 +31,110 @@ std::pair<std::array<VertexId, N>, int> ascending(std::array<VertexId, N> v) {
     return {v, sign};
 }
 
+FaceVertices without(const TetVertices& v, std::size_t place) {
+    FaceVertices corners;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        if (i != place) corners[count++] = v[i];
+    return corners;
+}
+
+// What is known of simplices by their vertices, to be found by them: a list in the order of the keys, in which one key
+// may occur many times.
+template <std::size_t N, class Value>
+class Index {
+public:
+    using Entry = std::pair<Key<N>, Value>;
+
+    void add(const Key<N>& key, const Value& value) { entries_.emplace_back(key, value); }
+    void sort() { std::sort(entries_.begin(), entries_.end()); }
+    std::span<const Entry> find(const Key<N>& key) const {
+        const auto [begin, end] = std::equal_range(entries_.begin(), entries_.end(), Entry(key, Value()),
+                                                   [](const Entry& a, const Entry& b) { return a.first < b.first; });
+        return {begin, end};
+    }
+    template <class Use>
+    void for_each_key(Use&& use) const {
+        for (std::size_t begin = 0, end = 0; begin < entries_.size(); begin = end) {
+            while (end < entries_.size() && entries_[end].first == entries_[begin].first) ++end;
+            use(std::span<const Entry>(entries_).subspan(begin, end - begin));
+        }
+    }
+    std::size_t key_count() const {
+        std::size_t count = 0;
+        for_each_key([&](std::span<const Entry>) { ++count; });
+        return count;
+    }
+
+private:
+    std::vector<Entry> entries_;
+};
+
+// A tetrahedron at a face: which one, the place of the face in it, and whether its induced orientation is that of the
+// ascending order.
+struct Side {
+    TetId tet;
+    std::uint8_t place = 0;
+    std::int8_t sign = 0;
+    auto operator<=>(const Side&) const = default;
+};
+
+// What the tetrahedra alone say.
+struct Reconstruction {
+    Index<3, Side> faces;
+    Index<2, TetId> edges;
+    Index<1, TetId> vertices;
+    Index<2, bool> surface_at_edge;  ///< one entry per surface face: whether it is one of the boundary
+    Index<1, bool> surface_at_vertex;
+    std::vector<int> link_euler;                   ///< Euler's number of the link of each vertex
+    std::vector<std::array<TetId, 4>> neighbours;  ///< of each tetrahedron, across its faces
+
+    explicit Reconstruction(const Complex& complex)
+        : link_euler(complex.vertex_capacity(), 0), neighbours(complex.tet_capacity()) {}
+
+    void add(TetId t, const TetVertices& v) {
+        int sign = 1;
+        for (std::size_t k = 0; k < 4; ++k, sign = -sign) {
+            const auto [key, parity] = ascending(without(v, k));
+            faces.add(key, {t, static_cast<std::uint8_t>(k), static_cast<std::int8_t>(sign * parity)});
+            vertices.add({v[k]}, t);
+            ++link_euler[v[k].index()];
+            for (std::size_t j = k + 1; j < 4; ++j) edges.add(ascending(EdgeVertices{v[k], v[j]}).first, t);
+        }
+    }
+
+    void finish(const Complex& complex) {
+        faces.sort(), edges.sort(), vertices.sort();
+        faces.for_each_key([&](auto sides) {
+            const Key<3>& key = sides[0].first;
+            for (const VertexId v : key) --link_euler[v.index()];
+            for (std::size_t i = 0; i < sides.size() && sides.size() > 1; ++i)
+                neighbours[sides[i].second.tet.index()][sides[i].second.place] =
+                    sides[(i + 1) % sides.size()].second.tet;
+            const bool is_boundary = sides.size() == 1;
+            if (!is_boundary && complex.label(sides[0].second.tet) == complex.label(sides[1].second.tet)) return;
+            for (std::size_t i = 0; i < 3; ++i) {
+                surface_at_vertex.add({key[i]}, is_boundary);
+                surface_at_edge.add(i == 0   ? Key<2>{key[1], key[2]}
+                                    : i == 1 ? Key<2>{key[0], key[2]}
+                                             : Key<2>{key[0], key[1]},
+                                    is_boundary);
+            }
+        });
+        edges.for_each_key([&](auto tets) {
+            for (const VertexId v : tets[0].first) ++link_euler[v.index()];
+        });
+        surface_at_edge.sort(), surface_at_vertex.sort();
+    }
+};
+
 class Check {
 public:
-    Check(const Complex& complex, std::size_t limit) : complex_(complex), limit_(limit) {}
+    Check(const Complex& complex, std::size_t limit) : complex_(complex), limit_(limit), reconstruction_(complex) {}
 
     std::vector<std::string> run() {
-        reconstruct();
+        check_tets();
+        reconstruction_.finish(complex_);
         check_faces();
         check_edges();
         check_vertices();
@@ -55,144 +143,134 @@ public:
     }
 
 private:
-    void require(bool condition, const std::string& problem) {
-        if (!condition && problems_.size() < limit_) problems_.push_back(problem);
+    // `problem` makes the text, which nobody needs when all is well.
+    template <class Problem>
+    void require(bool condition, Problem&& problem) {
+        if (!condition && problems_.size() < limit_) problems_.push_back(problem());
     }
 
-    void reconstruct() {
+    void check_tets() {
         for (std::uint32_t i = 0; i < complex_.tet_capacity(); ++i) {
             const TetId t(i);
             if (complex_.is_deleted(t)) continue;
             ++tets_;
             const TetVertices& v = complex_.vertices(t);
-            const std::string name = "tetrahedron " + std::to_string(i) + " " + text(v);
-            require(std::set<VertexId>(v.begin(), v.end()).size() == 4, name + " repeats a vertex");
-            int sign = 1;
-            for (std::size_t k = 0; k < 4; ++k, sign = -sign) {
-                FaceVertices corners;
-                std::copy_if(v.begin(), v.end(), corners.begin(), [&](VertexId u) { return u != v[k]; });
-                const auto [key, parity] = ascending(corners);
-                FaceRecord& record = reconstruction_.faces[key];
-                record.tets.push_back(t);
-                record.parity_sum += sign * parity;
+            const auto name = [&] { return "tetrahedron " + std::to_string(i) + " " + text(v); };
+            const TetVertices sorted = ascending(v).first;
+            require(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end(),
+                    [&] { return name() + " repeats a vertex"; });
+            for (std::size_t k = 0; k < 4; ++k) {
                 const FaceId f = complex_.faces(t)[k];
-                require(f.is_valid() && f.index() < complex_.face_capacity() && !complex_.is_deleted(f) &&
-                            ascending(complex_.vertices(f)).first == key,
-                        name + ": its face " + std::to_string(k) + " is not the one opposite its vertex");
-                reconstruction_.vertices[v[k]].push_back(t);
-                for (std::size_t j = k + 1; j < 4; ++j)
-                    reconstruction_.edges[ascending(EdgeVertices{v[k], v[j]}).first].push_back(t);
+                require(
+                    f.is_valid() && f.index() < complex_.face_capacity() && !complex_.is_deleted(f) &&
+                        ascending(complex_.vertices(f)).first == ascending(without(v, k)).first,
+                    [&] { return name() + ": its face " + std::to_string(k) + " is not the one opposite its vertex"; });
             }
+            reconstruction_.add(t, v);
         }
     }
 
     void check_faces() {
-        std::set<FaceVertices> seen;
+        std::vector<Key<3>> seen;
         for (std::uint32_t i = 0; i < complex_.face_capacity(); ++i) {
             const FaceId f(i);
             if (complex_.is_deleted(f)) continue;
             ++faces_;
             const FaceVertices corners = complex_.vertices(f);
-            const FaceVertices key = ascending(corners).first;
-            const std::string name = "face " + std::to_string(i) + " " + text(corners);
-            require(seen.insert(key).second, name + " occurs twice");
+            const Key<3> key = ascending(corners).first;
+            const auto name = [&] { return "face " + std::to_string(i) + " " + text(corners); };
+            seen.push_back(key);
             for (std::size_t k = 0; k < 3; ++k) {
                 const EdgeId e = complex_.edges(f)[k];
-                require(!complex_.is_deleted(e) &&
-                            ascending(complex_.vertices(e)).first ==
-                                ascending(EdgeVertices{corners[(k + 1) % 3], corners[(k + 2) % 3]}).first,
-                        name + ": its edge " + std::to_string(k) + " is not the one opposite its vertex");
+                require(
+                    !complex_.is_deleted(e) &&
+                        ascending(complex_.vertices(e)).first ==
+                            ascending(EdgeVertices{corners[(k + 1) % 3], corners[(k + 2) % 3]}).first,
+                    [&] { return name() + ": its edge " + std::to_string(k) + " is not the one opposite its vertex"; });
             }
-            const auto found = reconstruction_.faces.find(key);
-            if (found == reconstruction_.faces.end()) {
-                require(false, name + " belongs to no tetrahedron");
-                continue;
-            }
-            const FaceRecord& record = found->second;
-            require(record.tets.size() <= 2, name + " has more than two tetrahedra");
-            require(record.tets.size() != 2 || record.parity_sum == 0, name + " has both tetrahedra on one side");
-            std::vector<TetId> stored;
-            for (const TetId t : complex_.tets(f))
-                if (t.is_valid()) stored.push_back(t);
-            require(std::is_permutation(stored.begin(), stored.end(), record.tets.begin(), record.tets.end()),
-                    name + " does not know its tetrahedra");
+            const auto sides = reconstruction_.faces.find(key);
+            require(!sides.empty(), [&] { return name() + " belongs to no tetrahedron"; });
+            require(sides.size() <= 2, [&] { return name() + " has more than two tetrahedra"; });
+            if (sides.empty() || sides.size() > 2) continue;
+            require(sides.size() != 2 || sides[0].second.sign != sides[1].second.sign,
+                    [&] { return name() + " has both tetrahedra on one side"; });
+            std::array<TetId, 2> stored = complex_.tets(f);
+            std::sort(stored.begin(), stored.end());  // an invalid handle is the last
+            require(
+                stored[0] == sides[0].second.tet && stored[1] == (sides.size() == 2 ? sides[1].second.tet : TetId()),
+                [&] { return name() + " does not know its tetrahedra"; });
         }
-        require(seen.size() == reconstruction_.faces.size(), "a face of a tetrahedron is missing");
+        require_each_once(seen, reconstruction_.faces.key_count(), "face");
     }
 
-    bool is_surface(const FaceVertices& key, bool wants_boundary) const {
-        const std::vector<TetId>& tets = reconstruction_.faces.at(key).tets;
-        if (wants_boundary) return tets.size() == 1;
-        return tets.size() == 2 && complex_.label(tets[0]) != complex_.label(tets[1]);
-    }
-
-    // Numbers of boundary and interface faces among the faces of `tets` that contain all of `simplex`.
     template <std::size_t N>
-    std::pair<int, int> surface_faces(const std::array<VertexId, N>& simplex, const std::vector<TetId>& tets) const {
-        std::set<FaceVertices> around;
-        for (const TetId t : tets) {
-            for (int k = 0; k < 4; ++k) {
-                const FaceVertices key = ascending(complex_.oriented_face(t, k)).first;
-                const bool contains = std::all_of(simplex.begin(), simplex.end(), [&](VertexId v) {
-                    return std::find(key.begin(), key.end(), v) != key.end();
-                });
-                if (contains) around.insert(key);
-            }
-        }
-        std::pair<int, int> count;
-        for (const FaceVertices& key : around) {
-            count.first += is_surface(key, true) ? 1 : 0;
-            count.second += is_surface(key, false) ? 1 : 0;
-        }
+    void require_each_once(std::vector<Key<N>>& seen, std::size_t expected, const std::string& kind) {
+        std::sort(seen.begin(), seen.end());
+        const auto twice = std::adjacent_find(seen.begin(), seen.end());
+        require(twice == seen.end(), [&] { return kind + " " + text(*twice) + " occurs twice"; });
+        require(seen.size() >= expected, [&] { return "a " + kind + " of a tetrahedron is missing"; });
+    }
+
+    // Numbers of boundary and interface faces at a simplex.
+    template <class Surface, std::size_t N>
+    static std::pair<std::uint32_t, std::uint32_t> surface_faces(const Surface& surface, const Key<N>& key) {
+        std::pair<std::uint32_t, std::uint32_t> count;
+        for (const auto& [simplex, is_boundary] : surface.find(key)) ++(is_boundary ? count.first : count.second);
         return count;
     }
 
-    // Whether the tetrahedra are connected through faces that contain all of `simplex`.
+    // Whether the tetrahedra at a simplex, in ascending order, are connected through faces that contain it.
     template <std::size_t N>
-    bool is_connected(const std::array<VertexId, N>& simplex, const std::vector<TetId>& tets) const {
-        std::set<TetId> open(tets.begin(), tets.end());
-        std::vector<TetId> front = {tets.front()};
-        open.erase(tets.front());
-        while (!front.empty()) {
-            const TetVertices v = complex_.vertices(front.back());
-            front.pop_back();
-            for (const VertexId left_out : v) {
-                if (std::find(simplex.begin(), simplex.end(), left_out) != simplex.end()) continue;
-                FaceVertices corners;
-                std::copy_if(v.begin(), v.end(), corners.begin(), [&](VertexId u) { return u != left_out; });
-                for (const TetId next : reconstruction_.faces.at(ascending(corners).first).tets)
-                    if (open.erase(next) != 0) front.push_back(next);
+    bool is_connected(const Key<N>& simplex, std::span<const std::pair<Key<N>, TetId>> tets) {
+        is_reached_.assign(tets.size(), 0);
+        front_ = {0};
+        is_reached_[0] = 1;
+        std::size_t reached = 1;
+        while (!front_.empty()) {
+            const TetId t = tets[front_.back()].second;
+            front_.pop_back();
+            const TetVertices& v = complex_.vertices(t);
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (std::find(simplex.begin(), simplex.end(), v[k]) != simplex.end()) continue;
+                const TetId next = reconstruction_.neighbours[t.index()][k];
+                if (!next.is_valid()) continue;
+                const auto found = std::lower_bound(tets.begin(), tets.end(), next,
+                                                    [](const auto& entry, TetId u) { return entry.second < u; });
+                const auto place = static_cast<std::size_t>(found - tets.begin());
+                if (is_reached_[place] != 0) continue;
+                is_reached_[place] = 1;
+                ++reached;
+                front_.push_back(place);
             }
         }
-        return open.empty();
+        return reached == tets.size();
     }
 
     void check_edges() {
-        std::set<EdgeVertices> seen;
+        std::vector<Key<2>> seen;
         for (std::uint32_t i = 0; i < complex_.edge_capacity(); ++i) {
             const EdgeId e(i);
             if (complex_.is_deleted(e)) continue;
             ++edges_;
-            const EdgeVertices key = ascending(complex_.vertices(e)).first;
-            const std::string name = "edge " + std::to_string(i) + " " + text(key);
-            require(seen.insert(key).second, name + " occurs twice");
-            const auto found = reconstruction_.edges.find(key);
-            if (found == reconstruction_.edges.end()) {
-                require(false, name + " belongs to no tetrahedron");
-                continue;
-            }
+            const Key<2> key = ascending(complex_.vertices(e)).first;
+            const auto name = [&] { return "edge " + std::to_string(i) + " " + text(key); };
+            seen.push_back(key);
+            const auto tets = reconstruction_.edges.find(key);
+            require(!tets.empty(), [&] { return name() + " belongs to no tetrahedron"; });
+            if (tets.empty()) continue;
             const FaceId f = complex_.face(e);
             require(!complex_.is_deleted(f) &&
                         std::find(complex_.edges(f).begin(), complex_.edges(f).end(), e) != complex_.edges(f).end(),
-                    name + ": its face does not contain it");
-            const auto [boundary, interface] = surface_faces(key, found->second);
+                    [&] { return name() + ": its face does not contain it"; });
+            const auto [boundary, interface] = surface_faces(reconstruction_.surface_at_edge, key);
             require((boundary != 0) == complex_.is_boundary(e) && (interface != 0) == complex_.is_interface(e) &&
-                        complex_.surface_degree(e) == static_cast<std::uint32_t>(boundary + interface),
-                    name + ": its flags are wrong");
-            require(boundary == 0 || boundary == 2, name + " has " + std::to_string(boundary) + " boundary faces");
-            require(is_connected(key, found->second), name + ": its star falls apart");
+                        complex_.surface_degree(e) == boundary + interface,
+                    [&] { return name() + ": its flags are wrong"; });
+            require(boundary == 0 || boundary == 2,
+                    [&, faces = boundary] { return name() + " has " + std::to_string(faces) + " boundary faces"; });
+            require(is_connected(key, tets), [&] { return name() + ": its star falls apart"; });
         }
-        require(seen.size() == reconstruction_.edges.size(), "an edge of a tetrahedron is missing");
+        require_each_once(seen, reconstruction_.edges.key_count(), "edge");
     }
 
     void check_vertices() {
@@ -200,50 +278,41 @@ private:
             const VertexId v(i);
             if (complex_.is_deleted(v)) continue;
             ++vertices_;
-            const std::string name = "vertex " + std::to_string(i);
-            const auto found = reconstruction_.vertices.find(v);
-            if (found == reconstruction_.vertices.end()) {
-                require(false, name + " belongs to no tetrahedron");
-                continue;
-            }
+            const auto name = [&] { return "vertex " + std::to_string(i); };
+            const Key<1> key = {v};
+            const auto tets = reconstruction_.vertices.find(key);
+            require(!tets.empty(), [&] { return name() + " belongs to no tetrahedron"; });
+            if (tets.empty()) continue;
             const EdgeId e = complex_.edge(v);
             require(!complex_.is_deleted(e) && (complex_.vertices(e)[0] == v || complex_.vertices(e)[1] == v),
-                    name + ": its edge does not contain it");
-            const auto [boundary, interface] = surface_faces(std::array{v}, found->second);
+                    [&] { return name() + ": its edge does not contain it"; });
+            const auto [boundary, interface] = surface_faces(reconstruction_.surface_at_vertex, key);
             require((boundary != 0) == complex_.is_boundary(v) && (interface != 0) == complex_.is_interface(v),
-                    name + ": its flags are wrong");
-            require(is_connected(std::array{v}, found->second), name + ": its star falls apart");
-            require(link_euler(v, found->second) == (boundary != 0 ? 1 : 2),
-                    name + ": its link is neither a sphere nor a disc");
+                    [&] { return name() + ": its flags are wrong"; });
+            require(is_connected(key, tets), [&] { return name() + ": its star falls apart"; });
+            require(reconstruction_.link_euler[i] == (boundary != 0 ? 1 : 2),
+                    [&] { return name() + ": its link is neither a sphere nor a disc"; });
         }
-        require(vertices_ == reconstruction_.vertices.size(), "a vertex of a tetrahedron is missing");
-    }
-
-    int link_euler(VertexId v, const std::vector<TetId>& tets) const {
-        std::set<VertexId> points;
-        std::set<EdgeVertices> lines;
-        for (const TetId t : tets) {
-            for (const VertexId a : complex_.vertices(t)) {
-                if (a == v) continue;
-                points.insert(a);
-                for (const VertexId b : complex_.vertices(t))
-                    if (b != v && a < b) lines.insert({a, b});
-            }
-        }
-        return static_cast<int>(points.size()) - static_cast<int>(lines.size()) + static_cast<int>(tets.size());
+        require(vertices_ == reconstruction_.vertices.key_count(),
+                [] { return std::string("a vertex of a tetrahedron is missing"); });
     }
 
     void check_counts() {
-        require(tets_ == complex_.tet_count(), "the number of tetrahedra is wrong");
-        require(faces_ == complex_.face_count(), "the number of faces is wrong");
-        require(edges_ == complex_.edge_count(), "the number of edges is wrong");
-        require(vertices_ == complex_.vertex_count(), "the number of vertices is wrong");
+        const auto require_count = [&](std::size_t found, std::size_t count, const std::string& kind) {
+            require(found == count, [&] { return "the number of " + kind + " is wrong"; });
+        };
+        require_count(tets_, complex_.tet_count(), "tetrahedra");
+        require_count(faces_, complex_.face_count(), "faces");
+        require_count(edges_, complex_.edge_count(), "edges");
+        require_count(vertices_, complex_.vertex_count(), "vertices");
     }
 
     const Complex& complex_;
     std::size_t limit_;
     Reconstruction reconstruction_;
     std::vector<std::string> problems_;
+    std::vector<std::uint8_t> is_reached_;
+    std::vector<std::size_t> front_;
     std::size_t tets_ = 0, faces_ = 0, edges_ = 0, vertices_ = 0;
 };
 

@@ -27,7 +27,8 @@ public:
     void gather(const RatedMesh& mesh, FaceId f);
 
     /// The connected set of faces with f whose removal leaves the best worst tetrahedron, if that is better than
-    /// `wanted`; by default better than before.
+    /// `wanted`; by default better than before. Where the faces go once around a vertex, sets that are connected only
+    /// across the last edge of the round are not considered.
     bool propose_removal(const RatedMesh& mesh, Proposal& proposal, std::optional<double> wanted = {});
 
     /// The best triangulation of the multi-face, if its worst tetrahedron is better than `wanted`; by default better

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dsc3d/improve/improve.h"
+
+#include <bit>
+#include <limits>
+#include <numbers>
+
+#include "core/errors.h"
+#include "dsc3d/improve/angle_range.h"
+#include "dsc3d/improve/schedule.h"
+#include "tests/dsc3d/samples.h"
+#include "tests/dsc3d/support.h"
+#include "tests/support/seed.h"
+
+using namespace dsc::dsc3d;
+using namespace dsc::tests;
+using dsc::core::Random;
+using dsc::geometry::QualityMeasure;
+
+namespace {
+
+constexpr std::array measures = {QualityMeasure::minimum_sine, QualityMeasure::minimum_biased_sine,
+                                 QualityMeasure::volume_length, QualityMeasure::radius_ratio};
+
+TetData sample(std::uint32_t n, int labels, std::uint64_t with_seed) {
+    Random random(with_seed);
+    const Cells cells = {n, n, n};
+    TetData data = box(cells);
+    if (labels > 1) label_slabs(data, cells, labels);
+    shake_inside(data, 0.45, random);
+    turn(data);
+    return data;
+}
+
+double worst_quality(const Mesh& mesh, QualityMeasure measure) {
+    double worst = std::numeric_limits<double>::infinity();
+    for (const TetId t : tets(mesh.complex())) {
+        const TetVertices& v = mesh.complex().vertices(t);
+        worst = std::min(worst, dsc::geometry::quality(measure, mesh.position(v[0]), mesh.position(v[1]),
+                                                       mesh.position(v[2]), mesh.position(v[3])));
+    }
+    return worst;
+}
+
+// improve(), but with a small budget for the search of the schedule best, which takes half a minute by default.
+ImproveReport improve_briefly(Mesh& mesh, const ImproveParameters& parameters, dsc::core::Observer& observer) {
+    if (parameters.schedule == Schedule::thesis) return improve(mesh, parameters, observer);
+    const StopCondition stop(observer, parameters.time_limit);
+    ImproveRun run(mesh, parameters, observer, stop);
+    if (run.goes_on("improving")) BestSchedule({.budget = 20'000}).run(run);
+    return run.report;
+}
+
+// One run, with what is promised of every run.
+struct Run {
+    Mesh mesh;
+    ImproveReport report;
+
+    Run(const TetData& data, const ImproveParameters& parameters) : mesh(data) {
+        const double before = worst_quality(mesh, parameters.measure);
+        const auto volumes_before = volumes(mesh);
+        const auto areas_before = surface_areas(mesh);
+        dsc::core::Observer silent;
+        report = improve_briefly(mesh, parameters, silent);
+        require_valid(mesh);
+        CHECK(worst_quality(mesh, parameters.measure) >= before - 1e-12);
+        require_same(volumes_before, volumes(mesh), 1e-12);
+        require_same(areas_before, surface_areas(mesh), 1e-12);
+    }
+    double worst(QualityMeasure measure) const { return worst_quality(mesh, measure); }
+};
+
+bool have_same_bits(const TetData& a, const TetData& b) {
+    if (a.tets != b.tets || a.labels != b.labels || a.vertices.size() != b.vertices.size()) return false;
+    for (std::size_t i = 0; i < a.vertices.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::bit_cast<std::uint64_t>(a.vertices[i][axis]) != std::bit_cast<std::uint64_t>(b.vertices[i][axis]))
+                return false;
+    return true;
+}
+
+// The triangles of the surface, by the places of their corners.
+std::set<std::vector<std::array<double, 3>>> surface(const Mesh& mesh) {
+    std::set<std::vector<std::array<double, 3>>> triangles;
+    for (const FaceId f : faces(mesh.complex())) {
+        if (!mesh.complex().is_surface(f)) continue;
+        std::vector<std::array<double, 3>> corners;
+        for (const VertexId v : mesh.complex().vertices(f))
+            corners.push_back({mesh.position(v).x(), mesh.position(v).y(), mesh.position(v).z()});
+        std::sort(corners.begin(), corners.end());
+        triangles.insert(corners);
+    }
+    return triangles;
+}
+
+class CancelAfter final : public dsc::core::Observer {
+public:
+    explicit CancelAfter(int questions) : left_(questions) {}
+    bool is_cancelled() const override { return left_ <= 0 || --left_ <= 0; }
+    bool has_cancelled() const { return left_ <= 0; }
+
+private:
+    mutable int left_;
+};
+
+}  // namespace
+
+TEST_CASE("improvement makes a shaken box much better, by every measure, and keeps its regions") {
+    for (const int labels : {1, 2}) {
+        const TetData data = sample(4, labels, seed(1));
+        for (const QualityMeasure measure : measures) {
+            const Run run(data, {.measure = measure});
+            INFO("measure " << static_cast<int>(measure) << ", labels " << labels);
+            CHECK(run.report.end == ImproveEnd::converged);
+            CHECK(run.report.rounds > 3);
+            CHECK(run.report.smoothings > 0);
+            CHECK(run.worst(measure) > 3 * worst_quality(Mesh(data), measure));
+        }
+    }
+}
+
+TEST_CASE("what is switched off is not done") {
+    const TetData data = sample(4, 2, seed(2));
+    const Mesh input(data);
+    SECTION("retriangulation") {
+        const Run run(data, {.uses_multi_face_retriangulation = false});
+        CHECK(run.report.multi_face_retriangulations == 0);
+    }
+    SECTION("thinning") {
+        const Run run(data, {.uses_thinning = false});
+        CHECK(run.report.collapses == 0);
+        CHECK(run.mesh.complex().vertex_count() == input.complex().vertex_count());
+    }
+    SECTION("removal of vertices") {
+        for (const Schedule schedule : {Schedule::thesis, Schedule::best}) {
+            const Run run(sample(2, 1, seed(2)), {.schedule = schedule, .keeps_vertices = true});
+            CHECK(run.report.collapses == 0);
+            CHECK(run.mesh.complex().vertex_count() == 27);
+            CHECK(run.mesh.complex().vertex_capacity() == 27);  // with their handles
+        }
+    }
+    SECTION("changes of the surface") {
+        const Run run(data, {.changes_boundary = false});
+        CHECK(surface(run.mesh) == surface(input));
+        CHECK(surface(Run(data, {}).mesh) != surface(input));
+    }
+}
+
+TEST_CASE("the same input gives the same bits, whatever the number of threads") {
+    for (const Schedule schedule : {Schedule::thesis, Schedule::best}) {
+        const TetData data = sample(schedule == Schedule::thesis ? 5 : 2, 1, seed(3));
+        ImproveParameters parameters = {.schedule = schedule, .threads = 1};
+        const TetData first = Run(data, parameters).mesh.data();
+        const TetData again = Run(data, parameters).mesh.data();
+        parameters.threads = 2;
+        const TetData parallel = Run(data, parameters).mesh.data();
+        CHECK(have_same_bits(first, again));
+        CHECK(have_same_bits(first, parallel));
+        CHECK_FALSE(have_same_bits(first, data));
+    }
+}
+
+TEST_CASE("the schedule best is at least as good as the thesis's") {
+    const TetData data = sample(2, 1, seed(4));
+    for (const QualityMeasure measure : {QualityMeasure::minimum_sine, QualityMeasure::volume_length}) {
+        const Run thesis(data, {.measure = measure});
+        const Run best(data, {.measure = measure, .schedule = Schedule::best});
+        CHECK(best.worst(measure) >= thesis.worst(measure) - 1e-9);
+    }
+}
+
+TEST_CASE("improvement stops as soon as the target angle is reached") {
+    const TetData data = sample(4, 1, seed(6));
+    const AngleRange at_first{Mesh(data)};
+    const double reachable = 8 * std::numbers::pi / 180;
+    REQUIRE(at_first.min < reachable);
+    const Run all(data, {});
+    REQUIRE(AngleRange(all.mesh).min > reachable);
+    const Run early(data, {.target_angle = 8});
+    CHECK(early.report.end == ImproveEnd::reached_target_angle);
+    CHECK(AngleRange(early.mesh).min >= reachable);
+    CHECK(AngleRange(early.mesh).max <= std::numbers::pi - reachable);
+    CHECK(early.report.smoothings < all.report.smoothings);
+
+    const double have = std::min(at_first.min, std::numbers::pi - at_first.max) * 180 / std::numbers::pi;
+    const Run at_once(data, {.target_angle = 0.5 * have});
+    CHECK(at_once.report.end == ImproveEnd::reached_target_angle);
+    CHECK(have_same_bits(at_once.mesh.data(), Mesh(data).data()));
+}
+
+TEST_CASE("a run that is cancelled, whenever, leaves a valid mesh that is no worse") {
+    const TetData data = sample(3, 2, seed(7));
+    for (const Schedule schedule : {Schedule::thesis, Schedule::best}) {
+        for (const int questions : {1, 2, 5, 12, 30}) {
+            Mesh mesh(data);
+            const double before = worst_quality(mesh, QualityMeasure::minimum_biased_sine);
+            const auto volumes_before = volumes(mesh);
+            CancelAfter observer(questions);
+            const ImproveReport report = improve_briefly(mesh, {.schedule = schedule}, observer);
+            require_valid(mesh);
+            require_same(volumes_before, volumes(mesh), 1e-12);
+            CHECK(worst_quality(mesh, QualityMeasure::minimum_biased_sine) >= before - 1e-12);
+            CHECK(report.end == (observer.has_cancelled() ? ImproveEnd::cancelled : ImproveEnd::converged));
+            if (questions <= 5) CHECK(observer.has_cancelled());
+        }
+    }
+}
+
+TEST_CASE("a run that is out of time says so") {
+    const TetData data = sample(6, 1, seed(8));
+    for (const Schedule schedule : {Schedule::thesis, Schedule::best})
+        CHECK(Run(data, {.schedule = schedule, .time_limit = 1e-3}).report.end == ImproveEnd::reached_time_limit);
+}
+
+TEST_CASE("parameters out of range are refused by name") {
+    const auto complaint = [](const ImproveParameters& parameters) -> std::string {
+        try {
+            parameters.validate();
+        } catch (const dsc::core::UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(complaint({}).empty());
+    const auto names = [&](const char* field, const ImproveParameters& parameters) {
+        return complaint(parameters).find(field) != std::string::npos;
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {-1e-9, 0.02, nan}) CHECK(names("max_boundary_change", {.max_boundary_change = bad}));
+    for (const double bad : {0.0, 181.0, nan}) CHECK(names("feature_angle", {.feature_angle = bad}));
+    for (const double bad : {0.0, -1.0, nan}) CHECK(names("time_limit", {.time_limit = bad}));
+    for (const double bad : {0.0, 71.0, nan}) CHECK(names("target_angle", {.target_angle = bad}));
+    CHECK(names("threads", {.threads = -1}));
+    Mesh mesh(box({1, 1, 1}));
+    dsc::core::Observer silent;
+    CHECK_THROWS_AS(improve(mesh, {.feature_angle = 0}, silent), dsc::core::UsageError);
+}
