@@ -14,7 +14,7 @@ namespace dsc::dsc3d {
 
 struct SmoothingParameters {
     int max_steps = 12;           ///< accepted and refused ones
-    double least_gain = 0.01;     ///< smaller gains are not worth a step, relative to the worst quality
+    double least_gain = 0.0125;   ///< smaller gains are not worth a step, relative to the worst quality
     double first_step = 0.1;      ///< length of the first step, in mean edge lengths of the star
     double accepted_share = 0.1;  ///< of the predicted gain that a step has to bring
     double reach = 0.25;          ///< tetrahedra better than the worst one by more are left out of a step's model
