@@ -136,6 +136,16 @@ void Deformer::gather_region() {
     sort_unique(vertices_);
 }
 
+// The edges of the region that are off the surface.
+std::vector<EdgeId> Deformer::inner_edges() const {
+    std::vector<EdgeId> edges;
+    for (const TetId t : tets_)
+        for (const EdgeId e : mesh_.complex().edges(t))
+            if (!mesh_.complex().is_surface(e)) edges.push_back(e);
+    sort_unique(edges);
+    return edges;
+}
+
 void Deformer::raise_quality(StepReport& report) {
     const Complex& complex = mesh_.complex();
     const PassCounts before = passes_.counts();
@@ -184,12 +194,8 @@ void Deformer::collapse_short_edges(StepReport& report) {
     const Complex& complex = mesh_.complex();
     const double shortest = parameters_.min_edge * parameters_.edge_length;
     gather_region();
-    std::vector<EdgeId> edges;
-    for (const TetId t : tets_)
-        for (const EdgeId e : complex.edges(t)) edges.push_back(e);
-    sort_unique(edges);
-    for (const EdgeId e : edges) {
-        if (complex.is_deleted(e) || complex.is_surface(e)) continue;
+    for (const EdgeId e : inner_edges()) {
+        if (complex.is_deleted(e)) continue;
         const auto [a, b] = complex.vertices(e);
         if ((mesh_.position(a) - mesh_.position(b)).norm() >= shortest) continue;
         for (const VertexId kept : {a, b}) {
@@ -205,12 +211,8 @@ void Deformer::collapse_short_edges(StepReport& report) {
 void Deformer::split_bridges(StepReport& report) {
     const Complex& complex = mesh_.complex();
     const double longest = parameters_.max_bridge * parameters_.edge_length;
-    std::vector<EdgeId> edges;
-    for (const TetId t : tets_)
-        for (const EdgeId e : complex.edges(t)) edges.push_back(e);
-    sort_unique(edges);
-    for (const EdgeId e : edges) {
-        if (complex.is_deleted(e) || complex.is_surface(e)) continue;
+    for (const EdgeId e : inner_edges()) {
+        if (complex.is_deleted(e)) continue;
         const auto [a, b] = complex.vertices(e);
         if (!complex.is_surface(a) || !complex.is_surface(b)) continue;
         if ((mesh_.position(a) - mesh_.position(b)).norm() <= longest) continue;

@@ -47,6 +47,7 @@ private:
 
     void improve(StepReport& report);
     void gather_region();
+    std::vector<EdgeId> inner_edges() const;
     void raise_quality(StepReport& report);
     void remove_degeneracies(StepReport& report);
     bool remove_degenerate(TetId t);
