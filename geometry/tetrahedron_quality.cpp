@@ -131,11 +131,18 @@ int radius_ratio_terms(const Shape& shape, std::array<QualityTerm, 6>& terms) {
     return 1;
 }
 
-}  // namespace
+// Powers of the lengths up to the eighth have to stay within the range of a double. Where they don't, all is measured
+// in another unit, a power of two, which changes no bit: 1 where lengths are usual, 0 where they are all zero.
+double unit_per_length(const Shape& shape) {
+    const double squared = std::max({shape.ab.squaredNorm(), shape.ac.squaredNorm(), shape.ad.squaredNorm()});
+    if (squared > 1e-40 && squared < 1e40) return 1;
+    const double length = std::max(
+        {shape.ab.lpNorm<Eigen::Infinity>(), shape.ac.lpNorm<Eigen::Infinity>(), shape.ad.lpNorm<Eigen::Infinity>()});
+    if (!(length > 0) || !std::isfinite(length)) return 0;
+    return std::ldexp(1.0, std::clamp(-std::ilogb(length), -1022, 1022));
+}
 
-double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-               double bias) {
-    const Shape shape(a, b, c, d);
+double quality_of(QualityMeasure measure, const Shape& shape, double bias) {
     switch (measure) {
         case QualityMeasure::minimum_sine: return least_sine(shape, 1);
         case QualityMeasure::minimum_biased_sine: return least_sine(shape, bias);
@@ -145,9 +152,7 @@ double quality(QualityMeasure measure, const Point3& a, const Point3& b, const P
     return radius_ratio(shape);
 }
 
-int quality_terms(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                  std::array<QualityTerm, 6>& terms, double bias) {
-    const Shape shape(a, b, c, d);
+int terms_of(QualityMeasure measure, const Shape& shape, std::array<QualityTerm, 6>& terms, double bias) {
     DSC_ASSERT(shape.six_volume > 0);
     switch (measure) {
         case QualityMeasure::minimum_sine: return sine_terms(shape, 1, terms);
@@ -156,6 +161,26 @@ int quality_terms(QualityMeasure measure, const Point3& a, const Point3& b, cons
         case QualityMeasure::radius_ratio: break;
     }
     return radius_ratio_terms(shape, terms);
+}
+
+}  // namespace
+
+double quality(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+               double bias) {
+    const Shape shape(a, b, c, d);
+    const double unit = unit_per_length(shape);
+    if (unit == 1) return quality_of(measure, shape, bias);
+    return unit > 0 ? quality_of(measure, Shape(unit * a, unit * b, unit * c, unit * d), bias) : 0;
+}
+
+int quality_terms(QualityMeasure measure, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+                  std::array<QualityTerm, 6>& terms, double bias) {
+    const Shape shape(a, b, c, d);
+    const double unit = unit_per_length(shape);
+    if (unit == 1) return terms_of(measure, shape, terms, bias);
+    const int count = terms_of(measure, Shape(unit * a, unit * b, unit * c, unit * d), terms, bias);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) terms[i].gradient *= unit;
+    return count;
 }
 
 std::array<double, 6> dihedral_cotangents(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {

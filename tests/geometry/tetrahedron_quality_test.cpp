@@ -76,6 +76,26 @@ TEST_CASE("a quality does not depend on scale, place, rotation, or an even order
     }
 }
 
+TEST_CASE("a unit of length that is very small or very large changes no bit of a quality") {
+    dsc::core::Random random(dsc::tests::seed(4));
+    for (int i = 0; i < 100; ++i) {
+        const Corners p = random_positive(random);
+        for (const double unit : {0x1p-300, 0x1p-200, 0x1p-100, 0x1p100, 0x1p200, 0x1p300}) {
+            const Corners q = {unit * p[0], unit * p[1], unit * p[2], unit * p[3]};
+            for (const QualityMeasure measure : measures) {
+                CHECK(quality_of(measure, q) == quality_of(measure, p));
+                std::array<QualityTerm, 6> terms, scaled;
+                const int count = quality_terms(measure, p[0], p[1], p[2], p[3], terms);
+                REQUIRE(quality_terms(measure, q[0], q[1], q[2], q[3], scaled) == count);
+                for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+                    CHECK(scaled[k].value == terms[k].value);
+                    CHECK(unit * scaled[k].gradient == terms[k].gradient);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("the quality is the least of its terms, and their gradients are those of differences") {
     dsc::core::Random random(dsc::tests::seed(3));
     const double h = 1e-6;
