@@ -71,8 +71,10 @@ bool Escapes::kick_vertex(VertexId v) {
     length /= 3 * static_cast<double>(star.size());
     const double x = random_.uniform(-1, 1), y = random_.uniform(-1, 1), z = random_.uniform(-1, 1);
     Eigen::Vector3d step = parameters_.longest_push * length * mesh_.surface().allowed(v, Eigen::Vector3d(x, y, z));
-    for (int halving = 0; halving < 4; ++halving, step *= 0.5)
-        if (mesh_.move(v, mesh_.surface().settled(v, mesh_.position(v) + step), star)) return true;
+    for (int halving = 0; halving < 4; ++halving, step *= 0.5) {
+        const Point3 place = mesh_.surface().settled(v, mesh_.position(v) + step);
+        if (mesh_.surface().has_room(v, place) && mesh_.move(v, place, star)) return true;
+    }
     return false;
 }
 

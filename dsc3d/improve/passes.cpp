@@ -2,6 +2,7 @@
 #include "dsc3d/improve/passes.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dsc::dsc3d {
 
@@ -9,6 +10,7 @@ Passes::Passes(RatedMesh& mesh, const PassParameters& parameters, const StopCond
     : mesh_(mesh),
       parameters_(parameters),
       stop_(stop),
+      enough_(parameters.enough),
       smoothing_(parameters.smoothing),
       smoothed_(mesh.complex().vertex_attributes(), 0u),
       removal_tried_(mesh.complex().edge_attributes(), 0u),
@@ -78,6 +80,10 @@ bool Passes::remove_face(FaceId f) {
 }
 
 void Passes::thinning_pass() {
+    double worst = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < mesh_.complex().tet_capacity(); ++i)
+        if (!mesh_.complex().is_deleted(TetId(i))) worst = std::min(worst, mesh_.quality(TetId(i)));
+    enough_ = std::max(parameters_.enough, worst);
     for (std::uint32_t i = 0; i < mesh_.complex().edge_capacity() && !is_stopped(i); ++i)
         if (!mesh_.complex().is_deleted(EdgeId(i))) collapse_edge(EdgeId(i));
 }
@@ -94,7 +100,7 @@ bool Passes::collapse_edge(EdgeId e, VertexId kept) {
     const auto [a, b] = complex.vertices(e);
     const VertexId gone = a == kept ? b : a;
     if (complex.is_surface(gone) && !parameters_.removes_surface_vertices) return false;
-    if (!collapse_.propose(mesh_, e, kept, parameters_.enough, proposal_) || !mesh_.apply(proposal_)) return false;
+    if (!collapse_.propose(mesh_, e, kept, enough_, proposal_) || !mesh_.apply(proposal_)) return false;
     ++counts_.collapses;
     smooth(kept);
     return true;

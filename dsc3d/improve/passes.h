@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The three passes of mesh improvement: smoothing, topological pass (algorithm 2), thinning pass (algorithm 3).
 // Source: thesis 3.4. Guarantee: an operation is done only if it makes the worst tetrahedron it touches better
-// (thinning: or leaves it above `enough`). A pass looks only at what has changed since the same attempt failed there.
+// (thinning: or leaves it above `enough` and above the worst one of the mesh). A pass looks only at what has changed
+// since the same attempt failed there.
 #pragma once
 
 #include "core/attribute.h"
@@ -17,7 +18,8 @@ namespace dsc::dsc3d {
 struct PassParameters {
     bool uses_multi_face_retriangulation = true;
     bool removes_surface_vertices = false;  ///< thinning collapses edges of the surface too, where it is flat
-    double enough = 0.5;                    ///< thinning: quality below which a collapse has to be an improvement
+    /// Thinning: quality below which a collapse has to be an improvement; the worst of the mesh, where that is better.
+    double enough = 0.5;
     SmoothingParameters smoothing = {};
 };
 
@@ -58,6 +60,7 @@ private:
     RatedMesh& mesh_;
     PassParameters parameters_;
     const StopCondition* stop_;
+    double enough_;  ///< not below the worst quality that the mesh had when thinning began
     EdgeRemoval edge_removal_;
     MultiFace multi_face_;
     EdgeCollapse collapse_;

@@ -27,7 +27,9 @@ public:
           mesh_(mesh),
           complex_(mesh.complex()),
           half_tolerance_(0.5 * parameters.tolerance * bounding_box_diagonal(mesh)),
-          least_cosine_(std::cos(parameters.feature_angle * std::numbers::pi / 180)) {}
+          least_cosine_(std::cos(parameters.feature_angle * std::numbers::pi / 180)) {
+        surface_.half_tolerance_ = half_tolerance_;
+    }
 
     void fix_everything() {
         for (std::uint32_t i = 0; i < complex_.face_capacity(); ++i) {
@@ -274,6 +276,23 @@ Point3 FlatSurface::settled(VertexId v, const Point3& position) const {
         return line.point + line.direction.dot(position - line.point) * line.direction;
     }
     return position;
+}
+
+bool FlatSurface::has_room(VertexId v, const Point3& position) const {
+    switch (motion(v)) {
+        case VertexMotion::free: return true;
+        case VertexMotion::plane: {
+            const Plane& plane = planes_[static_cast<std::size_t>(freedom_[v].carrier)];
+            return std::abs(plane.normal.dot(position - plane.point)) <= half_tolerance_;
+        }
+        case VertexMotion::line: {
+            const Line& line = lines_[static_cast<std::size_t>(freedom_[v].carrier)];
+            const Eigen::Vector3d from_start = position - line.point;
+            return (from_start - line.direction.dot(from_start) * line.direction).norm() <= half_tolerance_;
+        }
+        case VertexMotion::fixed: break;
+    }
+    return false;
 }
 
 bool FlatSurface::is_ridge(const Complex& complex, EdgeId e, EdgeRing& ring) const {

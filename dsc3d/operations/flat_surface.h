@@ -55,6 +55,9 @@ public:
     Eigen::Vector3d allowed(VertexId v, const Eigen::Vector3d& step) const;
     /// `position` put back on the plane or segment of v, whose rounding errors would add up otherwise.
     Point3 settled(VertexId v, const Point3& position) const;
+    /// Whether `position` is within half the tolerance of the plane or line of v. A settled one need not be: far from
+    /// the origin, or with a tolerance of 0, rounding alone is more.
+    bool has_room(VertexId v, const Point3& position) const;
 
     /// An edge of the surface that has to stay: not between two faces of one patch.
     bool is_ridge(const Complex& complex, EdgeId e, EdgeRing& ring) const;
@@ -79,6 +82,7 @@ private:
     core::Attribute<VertexId, Freedom> freedom_;
     std::vector<Plane> planes_;  ///< by patch
     std::vector<Line> lines_;
+    double half_tolerance_ = 0;  ///< a length
     const Complex* rigid_ = nullptr;
 };
 

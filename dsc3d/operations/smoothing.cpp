@@ -68,6 +68,7 @@ Point3 Smoothing::best_place(const RatedMesh& mesh, VertexId v, std::span<const 
     // Of a tetrahedron that is all rounding error even the sign depends on which vertex comes first.
     if (value <= least_surface_quality && (motion != VertexMotion::free || rate_link(mesh, x, 0) <= 0)) return x;
     gather_terms(mesh, v, x, value);
+    if (terms_.empty()) return x;
     double s = first_scale(x);
     for (int step = 0; step < parameters_.max_steps; ++step) {
         const MaxMinStep next = max_min_step(terms_, s);
@@ -83,6 +84,7 @@ Point3 Smoothing::best_place(const RatedMesh& mesh, VertexId v, std::span<const 
         x = there;
         value = found;
         gather_terms(mesh, v, x, value);
+        if (terms_.empty()) break;
     }
     if (quality != nullptr) *quality = value;
     return x;
@@ -94,7 +96,8 @@ bool Smoothing::smooth(RatedMesh& mesh, VertexId v) {
     const double before = mesh.worst_quality(star);
     double after = before;
     const Point3 place = best_place(mesh, v, star, &after);
-    return after > before * (1 + parameters_.least_gain) && mesh.move(v, place, star);
+    return after > before * (1 + parameters_.least_gain) && mesh.surface().has_room(v, place) &&
+           mesh.move(v, place, star);
 }
 
 }  // namespace dsc::dsc3d

@@ -32,6 +32,44 @@ TetData sample(std::uint32_t n, int labels, std::uint64_t with_seed) {
     return data;
 }
 
+TetData shaken(TetData data, std::uint64_t with_seed) {
+    Random random(seed(with_seed));
+    shake_inside(data, 0.4, random);
+    return data;
+}
+
+// Corners and centres of n^3 cells; four tetrahedra around each segment between two centres, and no others: all alike.
+TetData bcc_lattice(int n) {
+    TetData data;
+    std::map<std::array<int, 3>, std::uint32_t> numbers;
+    const auto number = [&](const std::array<int, 3>& place) {
+        const auto [entry, is_new] = numbers.try_emplace(place, static_cast<std::uint32_t>(data.vertices.size()));
+        if (is_new) data.vertices.emplace_back(place[0], place[1], place[2]);
+        return entry->second;
+    };
+    const auto add_around = [&](const std::array<int, 3>& centre, std::size_t axis) {
+        std::array<int, 3> next = centre;
+        next[axis] += 2;
+        std::array<std::uint32_t, 4> ring;
+        constexpr std::array<std::array<int, 2>, 4> turns = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            std::array<int, 3> corner = centre;
+            corner[axis] += 1;
+            corner[(axis + 1) % 3] += turns[i][0];
+            corner[(axis + 2) % 3] += turns[i][1];
+            ring[i] = number(corner);
+        }
+        for (std::size_t i = 0; i < 4; ++i)
+            data.tets.push_back({number(centre), number(next), ring[i], ring[(i + 1) % 4]});
+    };
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            for (int k = 0; k < n; ++k)
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    if (std::array{i, j, k}[axis] + 1 < n) add_around({2 * i + 1, 2 * j + 1, 2 * k + 1}, axis);
+    return data;
+}
+
 double worst_quality(const Mesh& mesh, QualityMeasure measure) {
     double worst = std::numeric_limits<double>::infinity();
     for (const TetId t : tets(mesh.complex())) {
@@ -115,6 +153,62 @@ TEST_CASE("improvement makes a shaken box much better, by every measure, and kee
             CHECK(run.report.rounds > 3);
             CHECK(run.report.smoothings > 0);
             CHECK(run.worst(measure) > 3 * worst_quality(Mesh(data), measure));
+        }
+    }
+}
+
+TEST_CASE("a mesh that is good is not thinned out at the cost of its worst tetrahedron") {
+    TetData data = bcc_lattice(4);
+    Random random(seed(7));
+    for (Point3& p : data.vertices)
+        for (int axis = 0; axis < 3; ++axis) p[axis] += random.uniform(-0.05, 0.05);
+    for (const QualityMeasure measure : measures) {
+        const double before = worst_quality(Mesh(data), measure);
+        CHECK(before > 0.6);
+        CHECK(Run(data, {.measure = measure}).worst(measure) >= before);
+    }
+}
+
+TEST_CASE("a surface stays within its tolerance, also where coordinates are coarser than that") {
+    for (const double tolerance : {0.0, 1e-9}) {
+        for (const double offset : {0.0, 0x1p26, 0x1p33, 0x1p40}) {
+            // Its sides across z are oblique, and their vertices in one plane to the last bit.
+            TetData data = shaken(box({4, 4, 4}), 6);
+            for (Point3& p : data.vertices) {
+                const Point3 on_grid = (64 * p).array().round();
+                p = Point3(2 * on_grid.x() - on_grid.y() + offset, on_grid.x() + 2 * on_grid.y() + offset, on_grid.z());
+            }
+            Mesh mesh(data);
+            dsc::core::Observer silent;
+            improve(mesh, {.max_boundary_change = tolerance}, silent);
+            require_valid(mesh);
+            // In the box's coordinates, with an error that is far below the tolerance.
+            const double side = 5 * 256, diagonal = std::sqrt(2.0) * side;
+            for (const VertexId v : vertices(mesh.complex())) {
+                if (!mesh.complex().is_surface(v)) continue;
+                const Point3 p = mesh.position(v) - Point3(offset, offset, 0);
+                double off = std::numeric_limits<double>::infinity();
+                for (const double along : {2 * p.x() + p.y(), 2 * p.y() - p.x()})
+                    off = std::min({off, std::abs(along) / std::sqrt(5), std::abs(along - side) / std::sqrt(5)});
+                off = std::min({off, std::abs(p.z()), std::abs(p.z() - 256)});
+                CHECK(off <= 0.5 * tolerance * diagonal + 1e-15 * diagonal);
+            }
+        }
+    }
+}
+
+TEST_CASE("a mesh of any size is improved in the same way") {
+    const TetData data = sample(3, 2, seed(8));
+    for (const QualityMeasure measure : measures) {
+        const double at_one = Run(data, {.measure = measure}).worst(measure);
+        for (const double unit : {0x1p-200, 0x1p-40, 0x1p40, 0x1p200}) {
+            TetData scaled = data;
+            for (Point3& p : scaled.vertices) p *= unit;
+            Mesh mesh(scaled);
+            dsc::core::Observer silent;
+            improve(mesh, {.measure = measure}, silent);
+            CHECK(validate(mesh).empty());
+            CHECK(worst_quality(mesh, measure) == at_one);
         }
     }
 }
