@@ -2,8 +2,11 @@
 // The program improve: see `improve --help` and docs/improve.md.
 #include <fmt/core.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "apps/common/progress.h"
 #include "apps/common/run_main.h"
@@ -24,14 +27,45 @@ namespace {
 /// What is read and made; a mesh is kept only as long as it is needed: two million tetrahedra take 50 MB each time.
 struct Meshes {
     std::optional<geometry::TetData> before, after;
-    io::TetMeshDialect dialect;  ///< of the input, for the output
+    std::optional<geometry::TetData> input;  ///< as it was read, when vertices keep their numbers
+    io::TetMeshDialect dialect;              ///< of the input, for the output
 };
 
-std::unique_ptr<dsc3d::Mesh> read_mesh(const Options& options, io::TetMeshDialect& dialect) {
+std::unique_ptr<dsc3d::Mesh> read_mesh(const Options& options, Meshes& meshes) {
     io::TetMeshFile file = io::read_tet_mesh(options.input);
-    dialect = file.dialect;
+    meshes.dialect = file.dialect;
     if (options.merges_regions) file.data.labels.clear();
-    return std::make_unique<dsc3d::Mesh>(file.data, options.input);
+    auto mesh = std::make_unique<dsc3d::Mesh>(file.data, options.input);
+    if (options.parameters.keeps_vertices) meshes.input = std::move(file.data);
+    return mesh;
+}
+
+/// The engine drops vertices that no tetrahedron uses: puts them back in their places, so that all numbers are those of
+/// the input. The used vertices are the same ones, in the same order.
+geometry::TetData with_unused_vertices(const geometry::TetData& improved, const geometry::TetData& input) {
+    std::vector<std::uint8_t> is_used(input.vertices.size(), 0);
+    for (const auto& tet : input.tets)
+        for (const std::uint32_t v : tet) is_used[v] = 1;
+    geometry::TetData result = improved;
+    result.vertices = input.vertices;
+    std::vector<std::uint32_t> number;
+    number.reserve(improved.vertices.size());
+    for (std::uint32_t v = 0; v < is_used.size(); ++v) {
+        if (is_used[v] == 0) continue;
+        result.vertices[v] = improved.vertices[number.size()];
+        number.push_back(v);
+    }
+    for (auto& tet : result.tets)
+        for (std::uint32_t& v : tet) v = number[v];
+    return result;
+}
+
+void write_mesh(const std::string& path, const Meshes& meshes) {
+    if (meshes.input) {
+        io::write_tet_mesh(path, with_unused_vertices(*meshes.after, *meshes.input), meshes.dialect);
+    } else {
+        io::write_tet_mesh(path, *meshes.after, meshes.dialect);
+    }
 }
 
 Improvement work(const Options& options, core::Observer& observer, Meshes& meshes) {
@@ -39,7 +73,7 @@ Improvement work(const Options& options, core::Observer& observer, Meshes& meshe
     Improvement result{.input = options.input, .output = options.common.output, .parameters = options.parameters};
     const geometry::QualityMeasure measure = options.parameters.measure;
     observer.progress("reading " + options.input, -1, "");
-    std::unique_ptr<dsc3d::Mesh> mesh = read_mesh(options, meshes.dialect);
+    std::unique_ptr<dsc3d::Mesh> mesh = read_mesh(options, meshes);
     meshes.before = mesh->data();
     result.read_seconds = watch.seconds();
     result.before = mesh_statistics(*meshes.before, measure, options.parameters.threads);
@@ -55,7 +89,7 @@ Improvement work(const Options& options, core::Observer& observer, Meshes& meshe
 }
 
 void write_results(const Options& options, const Improvement& result, const Meshes& meshes) {
-    if (options.common.output) io::write_tet_mesh(*options.common.output, *meshes.after, meshes.dialect);
+    if (options.common.output) write_mesh(*options.common.output, meshes);
     if (options.svg) {
         std::vector<AngleHistogram> histograms{{"before", result.before}};
         if (result.after) histograms.push_back({"after", *result.after});

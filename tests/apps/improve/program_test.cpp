@@ -174,6 +174,22 @@ TEST_CASE("--keep-vertices keeps them all and --no-boundary every triangle of th
     CHECK(boundary(read_mesh(output)) == boundary(before));
 }
 
+TEST_CASE("--keep-vertices leaves all vertices their numbers, also when there are some that no tetrahedron uses") {
+    const TemporaryFolder folder;
+    TetData before = shaken_box(4);
+    before.vertices.insert(before.vertices.begin(), {9, 9, 9});
+    before.vertices.push_back({8, 8, 8});
+    for (auto& tet : before.tets)
+        for (std::uint32_t& v : tet) ++v;
+    const std::string input = write_mesh(folder, "in.mesh", before), output = (folder / "out.mesh").string();
+    improve_output({input, "-o", output, "--keep-vertices", "--no-boundary"});
+    const TetData after = read_mesh(output);
+    REQUIRE(after.vertices.size() == before.vertices.size());
+    CHECK(after.vertices.front() == before.vertices.front());
+    CHECK(after.vertices.back() == before.vertices.back());
+    CHECK(boundary(after) == boundary(before));
+}
+
 TEST_CASE("a pass that is left out does nothing") {
     const TemporaryFolder folder;
     const std::string input = write_mesh(folder, "in.mesh", shaken_box(4)), json = (folder / "a.json").string();
