@@ -27,6 +27,10 @@ void check_arrays(const TetData& data, const std::string& source) {
         if (!data.vertices[i].allFinite())
             throw core::InputError(source, "vertex " + std::to_string(i) + " (counted from 0)",
                                    "a coordinate is not finite", "all have to be numbers");
+        // Volumes have to stay within the range of a double.
+        if (data.vertices[i].lpNorm<Eigen::Infinity>() > 1e100)
+            throw core::InputError(source, "vertex " + std::to_string(i) + " (counted from 0)",
+                                   "a coordinate exceeds 1e100", "use a larger unit of length");
     }
     for (std::size_t i = 0; i < data.tets.size(); ++i) {
         auto tet = data.tets[i];

@@ -98,6 +98,10 @@ TEST_CASE("input that is no mesh is refused, naming source and element") {
             CHECK(has(complaint(data), "vertex 11 (counted from 0): a coordinate is not finite"));
         }
     }
+    SECTION("coordinates whose volumes would overflow") {
+        data.vertices[11].y() = -1e101;
+        CHECK(has(complaint(data), "vertex 11 (counted from 0): a coordinate exceeds 1e100; use a larger unit"));
+    }
     SECTION("an inverted tetrahedron") {
         std::swap(data.tets[9][0], data.tets[9][1]);
         CHECK(has(complaint(data), "tetrahedron 9 (counted from 0): it is inverted against the other tetrahedra"));
