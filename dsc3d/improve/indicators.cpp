@@ -34,4 +34,9 @@ bool QualityIndicators::is_better_than(const QualityIndicators& before, double l
     return false;
 }
 
+void QualityIndicators::raise_to(const QualityIndicators& other) {
+    worst = std::max(worst, other.worst);
+    for (std::size_t k = 0; k < means.size(); ++k) means[k] = std::max(means[k], other.means[k]);
+}
+
 }  // namespace dsc::dsc3d

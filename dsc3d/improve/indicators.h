@@ -17,6 +17,8 @@ struct QualityIndicators {
 
     /// The worst quality or one of the means has increased by at least `least_gain`.
     bool is_better_than(const QualityIndicators& before, double least_gain) const;
+    /// Each indicator becomes the larger of the two.
+    void raise_to(const QualityIndicators& other);
 };
 
 }  // namespace dsc::dsc3d

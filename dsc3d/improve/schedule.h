@@ -42,7 +42,8 @@ public:
 class ThesisSchedule final : public SchedulePolicy {
 public:
     struct Parameters {
-        double least_gain = 1e-4;  ///< of an indicator that counts as an improvement (thesis 3.4)
+        /// Of an indicator, above the highest value it has had, that counts as an improvement (thesis 3.4).
+        double least_gain = 1e-4;
         int failures = 3;          ///< fruitless rounds in a row that end it
     };
     explicit ThesisSchedule(const Parameters& parameters) : parameters_(parameters) {}

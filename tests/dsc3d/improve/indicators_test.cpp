@@ -62,6 +62,31 @@ TEST_CASE("one indicator that has gained enough makes a mesh better") {
     }
 }
 
+TEST_CASE("what was lost and is won back is no gain over the best so far") {
+    Random random(seed(4));
+    Mesh mesh = shaken_mesh(random);
+    const RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
+    const QualityIndicators first(rated);
+    for (std::size_t k = 0; k < first.means.size(); ++k) {
+        // One indicator falls while another rises, then the other way round.
+        QualityIndicators up = first, down = first;
+        up.means[k] += 1e-3, up.worst -= 1e-3;
+        down.means[k] -= 1e-3, down.worst += 1e-3;
+        QualityIndicators reached = first;
+        reached.raise_to(up);
+        CHECK(reached.worst == first.worst);
+        CHECK(reached.means == up.means);
+        CHECK(down.is_better_than(reached, 1e-4));
+        reached.raise_to(down);
+        CHECK(down.is_better_than(up, 1e-4));
+        CHECK(up.is_better_than(down, 1e-4));
+        CHECK_FALSE(up.is_better_than(reached, 1e-4));
+        CHECK_FALSE(down.is_better_than(reached, 1e-4));
+        up.worst = reached.worst + 2e-4;
+        CHECK(up.is_better_than(reached, 1e-4));
+    }
+}
+
 TEST_CASE("the range of dihedral angles is that of all tetrahedra") {
     Random random(seed(3));
     const Mesh mesh = shaken_mesh(random);
