@@ -74,12 +74,13 @@ Complex::Complex(std::uint32_t vertex_count, std::span<const NewTet> tets, const
 }
 
 void Complex::build_tets(std::span<const NewTet> tets) {
-    tet_vertices_.reserve(tets.size());
-    tet_label_.reserve(tets.size());
+    tet_vertices_.reserve(with_room(tets.size()));
+    tet_label_.reserve(with_room(tets.size()));
     for (const NewTet& tet : tets) {
         tet_vertices_.push_back(tet.vertices);
         tet_label_.push_back(tet.label);
     }
+    tet_faces_.reserve(with_room(tets.size()));
     tet_faces_.resize(tets.size());
 }
 
@@ -89,7 +90,7 @@ void Complex::build_faces(std::uint32_t vertex_count, const std::string& source)
     const std::vector<std::uint32_t> order = order_by_key(count, vertex_count, key_of);
     std::uint32_t faces = 0;
     for (std::uint32_t k = 0; k < count; ++k) faces += k == 0 || key_of(order[k]) != key_of(order[k - 1]) ? 1u : 0u;
-    face_tets_.reserve(faces);
+    face_tets_.reserve(with_room(faces));
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::uint32_t tet = order[k] / 4;
         if (k == 0 || key_of(order[k]) != key_of(order[k - 1])) {
@@ -119,11 +120,12 @@ void Complex::build_edges(std::uint32_t vertex_count) {
         return sorted_edge(oriented_face(t, index_of(t, FaceId(i / 3))), i % 3);
     };
     const std::vector<std::uint32_t> order = order_by_key(count, vertex_count, key_of);
+    face_edges_.reserve(with_room(face_tets_.size()));
     face_edges_.resize(face_tets_.size());
     std::uint32_t edges = 0;
     for (std::uint32_t k = 0; k < count; ++k) edges += k == 0 || key_of(order[k]) != key_of(order[k - 1]) ? 1u : 0u;
-    edge_vertices_.reserve(edges);
-    edge_face_.reserve(edges);
+    edge_vertices_.reserve(with_room(edges));
+    edge_face_.reserve(with_room(edges));
     for (std::uint32_t k = 0; k < count; ++k) {
         const EdgeVertices ends = key_of(order[k]);
         if (k == 0 || ends != key_of(order[k - 1])) {

@@ -78,6 +78,7 @@ void Complex::count_face(const FaceVertices& corners, const std::array<EdgeId, 3
 }
 
 void Complex::count_surface_faces() {
+    edge_faces_.reserve(with_room(edge_capacity()));
     edge_faces_.assign(edge_capacity(), {});
     vertex_faces_.assign(vertex_capacity(), {});
     for (std::uint32_t i = 0; i < face_capacity(); ++i) {
@@ -103,8 +104,8 @@ VertexId Complex::add_vertex() {
         return v;
     }
     const VertexId v(vertex_capacity());
-    vertex_edge_.emplace_back();
-    vertex_faces_.emplace_back();
+    grow(vertex_edge_);
+    grow(vertex_faces_);
     vertex_attributes_->resize(vertex_edge_.size());
     return v;
 }
@@ -117,9 +118,9 @@ TetId Complex::new_tet() {
         return t;
     }
     const TetId t(tet_capacity());
-    tet_vertices_.emplace_back();
-    tet_faces_.emplace_back();
-    tet_label_.push_back(0);
+    grow(tet_vertices_);
+    grow(tet_faces_);
+    grow(tet_label_);
     tet_attributes_->resize(tet_vertices_.size());
     return t;
 }
@@ -132,8 +133,8 @@ FaceId Complex::new_face() {
         return f;
     }
     const FaceId f(face_capacity());
-    face_edges_.emplace_back();
-    face_tets_.emplace_back();
+    grow(face_edges_);
+    grow(face_tets_);
     face_attributes_->resize(face_edges_.size());
     return f;
 }
@@ -147,9 +148,9 @@ EdgeId Complex::new_edge() {
         return e;
     }
     const EdgeId e(edge_capacity());
-    edge_vertices_.emplace_back();
-    edge_face_.emplace_back();
-    edge_faces_.emplace_back();
+    grow(edge_vertices_);
+    grow(edge_face_);
+    grow(edge_faces_);
     edge_attributes_->resize(edge_vertices_.size());
     return e;
 }

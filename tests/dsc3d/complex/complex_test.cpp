@@ -287,3 +287,21 @@ TEST_CASE("the memory of a complex is that of its arrays") {
     CHECK(large.complex().memory() > small.complex().memory());
     CHECK(large.complex().memory() < 160 * std::size_t{large.complex().tet_count()});
 }
+
+TEST_CASE("changes do not make the memory of a complex grow beyond its size") {
+    Random random(seed(4));
+    Mesh mesh(box({14, 14, 14}));
+    Complex& complex = mesh.complex();
+    const auto has_grown = [&] {
+        return static_cast<double>(complex.memory()) > 160.0 * static_cast<double>(complex.tet_capacity());
+    };
+    CHECK_FALSE(has_grown());
+    RandomTopology topology(complex, random, 2 * complex.tet_count());
+    topology.run_one();
+    CHECK_FALSE(has_grown());
+    topology.run(3000);
+    CHECK_FALSE(has_grown());
+    complex.compact();
+    topology.run_one();
+    CHECK_FALSE(has_grown());
+}
