@@ -44,7 +44,9 @@ public:
     struct Parameters {
         /// Of an indicator, above the highest value it has had, that counts as an improvement (thesis 3.4).
         double least_gain = 1e-4;
-        int failures = 3;          ///< fruitless rounds in a row that end it
+        int failures = 3;  ///< fruitless rounds in a row that end it
+        /// From here on a mesh is too large for the cache of a core, and is worked on in an order of its own.
+        std::uint32_t many_vertices = 10'000;
     };
     explicit ThesisSchedule(const Parameters& parameters) : parameters_(parameters) {}
     void run(ImproveRun& run) override;

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
 #include "dsc3d/improve/indicators.h"
 #include "dsc3d/improve/schedule.h"
+#include "dsc3d/improve/spatial_order.h"
 
 namespace dsc::dsc3d {
 
 void ThesisSchedule::run(ImproveRun& run) {
     const ImproveParameters& wanted = run.parameters;
+    std::optional<SpatialOrder> order;
+    if (run.target.complex().vertex_count() >= parameters_.many_vertices) order.emplace(run.target);
     Passes passes(run.mesh(), {.uses_multi_face_retriangulation = wanted.uses_multi_face_retriangulation}, &run.stop);
     const bool thins = wanted.uses_thinning && !wanted.keeps_vertices;
 
@@ -37,6 +42,7 @@ void ThesisSchedule::run(ImproveRun& run) {
         failed = has_improved() ? 0 : failed + 1;
     }
     run.add(passes.counts());
+    if (order) order->restore();
 }
 
 }  // namespace dsc::dsc3d

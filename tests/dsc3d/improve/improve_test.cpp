@@ -213,6 +213,64 @@ TEST_CASE("a mesh of any size is improved in the same way") {
     }
 }
 
+TEST_CASE(
+    "the number of rounds does not grow with the mesh, and a poor corner of a large mesh is improved all the same") {
+    const auto thesis = [](const TetData& data, const ThesisSchedule::Parameters& schedule = {}) {
+        Mesh mesh(data);
+        const ImproveParameters parameters;
+        dsc::core::Observer silent;
+        const StopCondition stop(silent, {});
+        ImproveRun run(mesh, parameters, silent, stop);
+        ThesisSchedule(schedule).run(run);
+        require_valid(mesh);
+        return std::pair(run.report.rounds, worst_quality(mesh, parameters.measure));
+    };
+    const TetData large = sample(10, 1, seed(6));
+    const auto [rounds, quality] = thesis(large);
+    CHECK(rounds <= 2 * thesis(sample(5, 1, seed(6))).first);
+    // One vertex of a mesh that is fine: no mean moves by 1e-4, only the worst quality does.
+    Mesh fine(large);
+    dsc::core::Observer silent;
+    improve(fine, {.uses_thinning = false}, silent);
+    const double reached = worst_quality(fine, QualityMeasure::minimum_biased_sine);
+    for (const VertexId v : vertices(fine.complex())) {
+        if (fine.complex().is_surface(v)) continue;
+        StarWalker walker(fine.complex());
+        const auto star = walker.star(v);
+        const TetVertices& corners = fine.complex().vertices(star[0]);
+        const VertexId towards = corners[0] == v ? corners[1] : corners[0];
+        fine.set_position(v, fine.position(v) + 0.2 * (fine.position(towards) - fine.position(v)));
+        break;
+    }
+    REQUIRE(validate(fine).empty());
+    const double poor = worst_quality(fine, QualityMeasure::minimum_biased_sine);
+    REQUIRE(poor < reached);
+    CHECK(thesis(fine.data()).second >= reached - 1e-3);
+    CHECK(thesis(large, {.many_vertices = 1}).second > 0.8 * quality);  // in spatial order
+}
+
+TEST_CASE("vertices keep their numbers through a run in spatial order") {
+    const TetData data = sample(4, 2, seed(7));
+    Mesh mesh(data);
+    const ImproveParameters parameters = {.keeps_vertices = true};
+    dsc::core::Observer silent;
+    const StopCondition stop(silent, {});
+    ImproveRun run(mesh, parameters, silent, stop);
+    ThesisSchedule({.many_vertices = 1}).run(run);
+    require_valid(mesh);
+    REQUIRE(run.report.smoothings > 0);
+    REQUIRE(mesh.complex().vertex_capacity() == data.vertices.size());
+    std::size_t corners = 0;
+    for (std::uint32_t i = 0; i < data.vertices.size(); ++i) {
+        // No vertex moves as far as to where another one was; corners of the box stay.
+        for (std::size_t k = 0; k < data.vertices.size(); ++k)
+            if (k != i) CHECK((mesh.position(VertexId(i)) - data.vertices[k]).norm() > 0);
+        corners += mesh.position(VertexId(i)) == data.vertices[i] ? 1 : 0;
+        CHECK((mesh.position(VertexId(i)) - data.vertices[i]).norm() < 1);
+    }
+    CHECK(corners >= 8);
+}
+
 TEST_CASE("what is switched off is not done") {
     const TetData data = sample(4, 2, seed(2));
     const Mesh input(data);
