@@ -213,62 +213,51 @@ TEST_CASE("a mesh of any size is improved in the same way") {
     }
 }
 
-TEST_CASE(
-    "the number of rounds does not grow with the mesh, and a poor corner of a large mesh is improved all the same") {
-    const auto thesis = [](const TetData& data, const ThesisSchedule::Parameters& schedule = {}) {
-        Mesh mesh(data);
-        const ImproveParameters parameters;
-        dsc::core::Observer silent;
-        const StopCondition stop(silent, {});
-        ImproveRun run(mesh, parameters, silent, stop);
-        ThesisSchedule(schedule).run(run);
-        require_valid(mesh);
-        return std::pair(run.report.rounds, worst_quality(mesh, parameters.measure));
-    };
-    const TetData large = sample(10, 1, seed(6));
-    const auto [rounds, quality] = thesis(large);
-    CHECK(rounds <= 2 * thesis(sample(5, 1, seed(6))).first);
-    // One vertex of a mesh that is fine: no mean moves by 1e-4, only the worst quality does.
-    Mesh fine(large);
+TEST_CASE("one poor star in a mesh that is fine is improved, though it moves no mean") {
+    Mesh mesh(sample(10, 1, seed(6)));
+    constexpr auto measure = QualityMeasure::minimum_biased_sine;
     dsc::core::Observer silent;
-    improve(fine, {.uses_thinning = false}, silent);
-    const double reached = worst_quality(fine, QualityMeasure::minimum_biased_sine);
-    for (const VertexId v : vertices(fine.complex())) {
-        if (fine.complex().is_surface(v)) continue;
-        StarWalker walker(fine.complex());
-        const auto star = walker.star(v);
-        const TetVertices& corners = fine.complex().vertices(star[0]);
-        const VertexId towards = corners[0] == v ? corners[1] : corners[0];
-        fine.set_position(v, fine.position(v) + 0.2 * (fine.position(towards) - fine.position(v)));
-        break;
+    improve(mesh, {.uses_thinning = false}, silent);
+    const double reached = worst_quality(mesh, measure);
+    // The first vertex inside that can be moved until its star is poor, but not inverted.
+    double poor = reached;
+    for (const VertexId v : vertices(mesh.complex())) {
+        if (mesh.complex().is_surface(v)) continue;
+        const TetVertices& corners = mesh.complex().vertices(mesh.complex().tet(v));
+        const Point3 before = mesh.position(v), there = mesh.position(corners[0] == v ? corners[1] : corners[0]);
+        mesh.set_position(v, before + 0.8 * (there - before));
+        poor = worst_quality(mesh, measure);
+        if (poor > 0.01 && poor < 0.5 * reached) break;
+        mesh.set_position(v, before);
     }
-    REQUIRE(validate(fine).empty());
-    const double poor = worst_quality(fine, QualityMeasure::minimum_biased_sine);
-    REQUIRE(poor < reached);
-    CHECK(thesis(fine.data()).second >= reached - 1e-3);
-    CHECK(thesis(large, {.many_vertices = 1}).second > 0.8 * quality);  // in spatial order
+    REQUIRE(validate(mesh).empty());
+    REQUIRE(poor < 0.5 * reached);
+    improve(mesh, {.uses_thinning = false}, silent);
+    require_valid(mesh);
+    CHECK(worst_quality(mesh, measure) > 0.75 * reached);  // hill climbing may end on another hill
 }
 
-TEST_CASE("vertices keep their numbers through a run in spatial order") {
-    const TetData data = sample(4, 2, seed(7));
-    Mesh mesh(data);
+TEST_CASE("vertices keep their numbers through a run in spatial order, which is as good") {
+    const TetData data = sample(5, 2, seed(7));
     const ImproveParameters parameters = {.keeps_vertices = true};
-    dsc::core::Observer silent;
-    const StopCondition stop(silent, {});
-    ImproveRun run(mesh, parameters, silent, stop);
-    ThesisSchedule({.many_vertices = 1}).run(run);
-    require_valid(mesh);
-    REQUIRE(run.report.smoothings > 0);
+    const auto run = [&](Mesh& mesh, std::uint32_t many_vertices) {
+        dsc::core::Observer silent;
+        const StopCondition stop(silent, {});
+        ImproveRun improvement(mesh, parameters, silent, stop);
+        ThesisSchedule({.many_vertices = many_vertices}).run(improvement);
+        require_valid(mesh);
+    };
+    Mesh mesh(data), other(data);
+    run(mesh, 1);
+    run(other, 1'000'000);
     REQUIRE(mesh.complex().vertex_capacity() == data.vertices.size());
-    std::size_t corners = 0;
-    for (std::uint32_t i = 0; i < data.vertices.size(); ++i) {
-        // No vertex moves as far as to where another one was; corners of the box stay.
-        for (std::size_t k = 0; k < data.vertices.size(); ++k)
-            if (k != i) CHECK((mesh.position(VertexId(i)) - data.vertices[k]).norm() > 0);
-        corners += mesh.position(VertexId(i)) == data.vertices[i] ? 1 : 0;
-        CHECK((mesh.position(VertexId(i)) - data.vertices[i]).norm() < 1);
+    for (const VertexId v : vertices(mesh.complex())) {
+        // A vertex of the surface stays on it, and none gets further than to the other side of its star.
+        REQUIRE(mesh.complex().is_boundary(v) == other.complex().is_boundary(v));
+        REQUIRE(mesh.complex().is_interface(v) == other.complex().is_interface(v));
+        REQUIRE((mesh.position(v) - data.vertices[v.index()]).norm() < 1.5);  // spacing is 1
     }
-    CHECK(corners >= 8);
+    CHECK(worst_quality(mesh, parameters.measure) > 0.7 * worst_quality(other, parameters.measure));
 }
 
 TEST_CASE("what is switched off is not done") {
