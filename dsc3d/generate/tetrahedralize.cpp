@@ -240,14 +240,20 @@ std::vector<int> labels_by_sides(const Regions& regions, const std::vector<std::
 // ------------------------------------------------------------------------------------------------------------ all of
 // it
 
-// Compound operations take several times as long: they have only to reach the angle that is promised.
-void raise_angles(Mesh& mesh, const TetrahedralizeParameters& parameters, core::Observer& observer) {
-    for (const auto& [schedule, angle] :
-         {std::pair(Schedule::thesis, parameters.good_angle), {Schedule::best, parameters.min_angle}}) {
-        if (AngleRange(mesh).min >= angle * std::numbers::pi / 180) return;
-        const ImproveReport report = improve(
-            mesh, {.schedule = schedule, .changes_boundary = false, .target_angle = angle, .threads = 1}, observer);
-        if (report.end == ImproveEnd::cancelled) throw core::Cancelled();
+// The volume-length ratio first: it likes all edges of a tetrahedron alike, as the deformation does. The smallest angle
+// is raised only where that leaves it too small, by single operations, then by compound ones, which take several times
+// as long.
+void raise_quality(Mesh& mesh, double min_angle, core::Observer& observer) {
+    using geometry::QualityMeasure;
+    ImproveParameters stage = {.changes_boundary = false, .threads = 1};
+    for (const auto& [measure, schedule] : {std::pair(QualityMeasure::volume_length, Schedule::thesis),
+                                            {QualityMeasure::minimum_biased_sine, Schedule::thesis},
+                                            {QualityMeasure::minimum_biased_sine, Schedule::best}}) {
+        stage.measure = measure;
+        stage.schedule = schedule;
+        if (improve(mesh, stage, observer).end == ImproveEnd::cancelled) throw core::Cancelled();
+        if (AngleRange(mesh).min >= min_angle * std::numbers::pi / 180) return;
+        stage.target_angle = min_angle;
     }
 }
 
@@ -265,7 +271,7 @@ TetData tetrahedralization(const SurfaceData& surface, const Eigen::AlignedBox3d
     observer.check_cancelled();
 
     Mesh mesh(data);
-    raise_angles(mesh, parameters, observer);
+    raise_quality(mesh, parameters.min_angle, observer);
     return mesh.data();
 }
 
@@ -274,7 +280,6 @@ TetData tetrahedralization(const SurfaceData& surface, const Eigen::AlignedBox3d
 void TetrahedralizeParameters::validate() const {
     require(growth >= 0 && growth <= 2, "growth: has to be in [0, 2]");
     require(min_angle > 0 && min_angle <= 40, "min_angle: has to be in (0, 40]");
-    require(good_angle >= min_angle && good_angle <= 40, "good_angle: has to be in [min_angle, 40]");
 }
 
 TetData tetrahedralize(const SurfaceData& surface, const Eigen::AlignedBox3d& box,

@@ -5,7 +5,7 @@
 // the quality without touching the triangles.
 // Guarantee: every triangle given is a face, with the coordinates given, and no other face separates labels; sizes of
 // the tetrahedra grow with the distance from them. Dihedral angles are at least `min_angle`, unless the surface itself
-// has sharper ones or leaves no room. The same bits for the same input. Cost: some 8 tetrahedra per triangle, 60
+// has sharper ones or leaves no room. The same bits for the same input. Cost: some 7 tetrahedra per triangle, 120
 // microseconds each.
 //
 //     const Eigen::AlignedBox3d box(Point3(0, 0, 0), Point3(1, 1, 1));
@@ -26,11 +26,8 @@ using geometry::Point3;
 
 struct TetrahedralizeParameters {
     double growth = 1;  ///< of the edge length per distance from the surface; [0, 2]
-    /// Compound improvement goes on until all dihedral angles are at least this [degree]; (0, 40].
+    /// Improvement goes on until all dihedral angles are at least this [degree]; (0, 40].
     double min_angle = 15;
-    /// Plain improvement goes on until all dihedral angles are at least this, or it has converged [degree];
-    /// [min_angle, 40].
-    double good_angle = 20;
     std::string tetgen = "tetgen";  ///< the program, by name or path
 
     /// Throws core::UsageError naming the field.
