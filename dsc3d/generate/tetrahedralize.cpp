@@ -133,13 +133,16 @@ TetGenInput tetgen_input(const SurfaceData& surface, const Eigen::AlignedBox3d& 
 /// Parts of the mesh between which all faces are triangles of the surface.
 struct Regions {
     std::uint32_t count = 0;
+    std::uint32_t outside = 0;  ///< the one at the box
     std::vector<std::uint32_t> of_tet;
     std::vector<std::array<std::uint32_t, 2>> sides;  ///< of each triangle: the region in front of it and that behind
 };
 
 class RegionFinder {
 public:
-    RegionFinder(const TetData& data, const std::vector<Triangle>& triangles) : data_(data), triangles_(triangles) {}
+    /// `outer`: a vertex of the box.
+    RegionFinder(const TetData& data, const std::vector<Triangle>& triangles, std::uint32_t outer)
+        : data_(data), triangles_(triangles), outer_(outer) {}
 
     Regions run() {
         number_triangles();
@@ -198,6 +201,7 @@ private:
             std::uint32_t& region = number[root(t)];
             if (region == none) region = regions_.count++;
             regions_.of_tet.push_back(region);
+            if (std::ranges::count(data_.tets[t], outer_) > 0) regions_.outside = region;
         }
         for (auto& tets : regions_.sides) {
             for (std::uint32_t& side : tets) {
@@ -209,16 +213,34 @@ private:
 
     const TetData& data_;
     const std::vector<Triangle>& triangles_;
+    std::uint32_t outer_;
     std::map<Triangle, Face> faces_;
     std::vector<std::uint32_t> parent_;
     Regions regions_;
 };
 
-std::vector<int> labels_by_order(const Regions& regions) {
-    std::vector<int> labels(regions.count, 0);
-    int last = 0;
-    for (const auto& [front, back] : regions.sides)
-        if (labels[back] == 0) labels[back] = ++last;
+// Winding numbers: one more behind a triangle than in front of it, from 0 outside.
+std::vector<int> labels_by_winding(const Regions& regions) {
+    std::vector<std::optional<int>> winding(regions.count);
+    winding[regions.outside] = 0;
+    // Closed surfaces that don't meet separate regions as the edges of a tree do.
+    for (bool goes_on = true; goes_on;) {
+        goes_on = false;
+        for (const auto& [front, back] : regions.sides) {
+            if (winding[front].has_value() == winding[back].has_value()) continue;
+            goes_on = true;
+            if (winding[front]) {
+                winding[back] = *winding[front] + 1;
+            } else {
+                winding[front] = *winding[back] - 1;
+            }
+        }
+    }
+    std::vector<int> labels;
+    for (const std::optional<int>& number : winding) {
+        require(number.value_or(-1) >= 0, "a part of the surface is inside out");
+        labels.push_back(*number);
+    }
     return labels;
 }
 
@@ -265,7 +287,7 @@ TetData tetrahedralization(const SurfaceData& surface, const Eigen::AlignedBox3d
     observer.progress("making tetrahedra", -1, "");
     const TetGenInput input = tetgen_input(surface, box, parameters.growth);
     TetData data = tetgen(input, parameters.tetgen);
-    const Regions regions = RegionFinder(data, input.triangles).run();
+    const Regions regions = RegionFinder(data, input.triangles, input.facets.front().outline.front()).run();
     const std::vector<int> labels = labels_of(regions);
     for (const std::uint32_t region : regions.of_tet) data.labels.push_back(labels[region]);
     observer.check_cancelled();
@@ -284,7 +306,7 @@ void TetrahedralizeParameters::validate() const {
 
 TetData tetrahedralize(const SurfaceData& surface, const Eigen::AlignedBox3d& box,
                        const TetrahedralizeParameters& parameters, core::Observer& observer) {
-    return tetrahedralization(oriented(surface), box, parameters, observer, labels_by_order);
+    return tetrahedralization(oriented(surface), box, parameters, observer, labels_by_winding);
 }
 
 TetData tetrahedralize(const InterfaceData& interface, const Eigen::AlignedBox3d& box,

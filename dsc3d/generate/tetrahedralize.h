@@ -34,11 +34,12 @@ struct TetrahedralizeParameters {
     void validate() const;
 };
 
-/// The surface may have many parts, one within the other. A region that lies behind triangles (on the side their
-/// normals point away from) gets a label of its own: 1, 2, … in the order of the first triangle of each; all else is 0.
-/// So a cavity whose normals point into it has label 0, and a ball within a ball label 2. A surface that is inside out
-/// as a whole is turned. Throws core::UsageError when the surface is not closed, manifold and oriented, meets itself
-/// (io/closed_surface.h says where), or is not inside the box, and core::RunError when TetGen fails.
+/// The surface may have many parts, one within the other. The label of a region is its winding number: 0 outside, one
+/// more behind a triangle (on the side its normal points away from) than in front of it. So parts side by side have
+/// label 1, a cavity whose normals point into it has label 0, and a ball within a ball label 2. A surface that is
+/// inside out as a whole is turned. Throws core::UsageError when the surface is not closed, manifold and oriented,
+/// meets itself (io/closed_surface.h says where), has a part that is inside out, or is not inside the box, and
+/// core::RunError when TetGen fails.
 geometry::TetData tetrahedralize(const geometry::SurfaceData& surface, const Eigen::AlignedBox3d& box,
                                  const TetrahedralizeParameters& parameters, core::Observer& observer);
 

@@ -118,7 +118,7 @@ TEST_CASE("three labels that meet in a line are kept") {
     CHECK(volume_of_label(mesh, 3) == Approx(0.016).epsilon(1e-12));
 }
 
-TEST_CASE("labels follow from the side that triangles show: parts, cavities, parts within parts") {
+TEST_CASE("labels are winding numbers: parts side by side, cavities, parts within parts") {
     const geometry::SurfaceData outer = icosphere(centre, 0.4, 6), inner = icosphere(centre, 0.2, 4);
     const double large = enclosed(outer), small = enclosed(inner);
     {
@@ -137,8 +137,16 @@ TEST_CASE("labels follow from the side that triangles show: parts, cavities, par
         CHECK(volume_of_label(mesh, 1) == Approx(large).epsilon(1e-12));
     }
     {
-        const Mesh mesh = filled(two_spheres(centre, 0.15, 0.1, 4));
-        CHECK(volume_of_label(mesh, 1) == Approx(volume_of_label(mesh, 2)).epsilon(1e-9));
+        const geometry::SurfaceData pair = two_spheres(centre, 0.15, 0.1, 4);
+        const Mesh mesh = filled(pair);
+        CHECK(volume_of_label(mesh, 1) == Approx(enclosed(pair)).epsilon(1e-12));
+        CHECK(components_of_label(mesh.complex(), 1) == 2);
+    }
+    {
+        // A ball in the cavity of a ball.
+        const Mesh mesh = filled(joined(joined(outer, turned(inner)), icosphere(centre, 0.1, 2)));
+        CHECK(components_of_label(mesh.complex(), 0) == 2);
+        CHECK(components_of_label(mesh.complex(), 1) == 2);
     }
 }
 
@@ -167,6 +175,8 @@ TEST_CASE("surfaces that bound nothing, meet themselves or leave the box are ref
     CHECK_THROWS_AS(fill(bad), core::UsageError);
     CHECK_THROWS_AS(fill(geometry::SurfaceData()), core::UsageError);
     CHECK_THROWS_WITH(fill(joined(ball, icosphere(centre + Point3(0.3, 0, 0), 0.1, 2))), Catch::Contains("intersects"));
+    CHECK_THROWS_WITH(fill(joined(ball, turned(icosphere(Point3(0.1, 0.1, 0.1), 0.05, 2)))),
+                      Catch::Contains("inside out"));
     CHECK_THROWS_WITH(fill(icosphere(centre, 0.6, 2)), Catch::Contains("leaves the box"));
     CHECK_THROWS_AS(fill(ball, {Point3(0, 0, 0), Point3(1, 1, 0)}), core::UsageError);
     CHECK_THROWS_AS(fill(ball, unit_box, {.growth = -1}), core::UsageError);
