@@ -85,7 +85,11 @@ InitialMesh from_surface(const ShapeOptions& options, core::Observer& observer) 
     SurfaceData surface = io::read_surface_mesh(options.path);
     surface.labels.clear();
     io::require_closed_surface(options.path, surface);
-    if (options.edge_length) surface = dsc3d::remeshed(surface, {.edge_length = *options.edge_length});
+    if (options.edge_length) {
+        dsc3d::RemeshParameters parameters{.edge_length = *options.edge_length};
+        if (options.feature_angle) parameters.feature_angle = *options.feature_angle;
+        surface = dsc3d::remeshed(surface, parameters);
+    }
     return around(surface, surface, options, observer);
 }
 

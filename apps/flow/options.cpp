@@ -105,6 +105,9 @@ void check_uses(const apps::CommandLine& line, const Options& options) {
     require_use("--size", {"box", "labelled-block", "slotted-cube"}, shape);
     require_use("--slot-width", {"slotted-cube"}, shape);
     require_use("--slot-depth", {"slotted-cube"}, shape);
+    require_use("--feature-angle", {"file"}, shape);
+    if (line.is_given("--feature-angle") && !line.is_given("--edge-length"))
+        throw core::UsageError("--feature-angle goes with --edge-length: without it the surface is kept");
     const std::string motion = name_of(motion_names, options.motion.motion);
     require_use("--axis", {"rotate"}, motion);
     require_use("--about", {"rotate"}, motion);
@@ -150,6 +153,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.number("--slot-depth", shape.slot_depth, "of a slotted cube (default half of its side)", {.above = 0});
     line.number("--edge-length", shape.edge_length,
                 "of the triangles; a surface from a file is remeshed to it, and kept as it is without", {.above = 0});
+    line.number("--feature-angle", shape.feature_angle,
+                "edges bent by more than this stay sharp when a surface is remeshed, in degrees (default 40)",
+                {.above = 0, .at_most = 180});
     line.text("--domain", texts.domain,
               "x0,y0,z0,x1,y1,z1 (default: the unit box, or twice the size of what has no room there)");
     line.heading("Motion");

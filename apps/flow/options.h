@@ -30,6 +30,7 @@ struct ShapeOptions {
     std::optional<Point3> size;          ///< box, labelled-block; slotted-cube (all three the same)
     std::optional<double> slot_width, slot_depth;
     std::optional<double> edge_length;
+    std::optional<double> feature_angle;  ///< of a surface from a file that is remeshed [degree]
     std::optional<Eigen::AlignedBox3d> domain;
 };
 

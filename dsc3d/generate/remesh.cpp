@@ -103,10 +103,13 @@ SurfaceData remeshed(const SurfaceData& surface, const RemeshParameters& paramet
                                  .vertex_is_constrained_map(is_corner)
                                  .protect_constraints(false)
                                  .collapse_constraints(true)
-                                 .relax_constraints(true));
+                                 .relax_constraints(false));
     SurfaceData result = surface_data(mesh);
     if (result.triangles.empty() || !geometry::self_intersections(result).empty())
-        throw core::RunError("the remeshed surface meets itself: its edges are too long for its thin parts");
+        throw core::RunError(
+            "the remeshed surface meets itself: its edges are too long for its thin parts, or too many of them are "
+            "taken for sharp; "
+            "try a smaller edge length or a larger feature angle");
     return result;
 }
 

@@ -16,6 +16,7 @@
 #include "dsc3d/generate/tetgen.h"
 #include "dsc3d/improve/angle_range.h"
 #include "dsc3d/improve/improve.h"
+#include "dsc3d/improve/schedule.h"
 #include "dsc3d/mesh.h"
 #include "geometry/surface_check.h"
 #include "geometry/surface_intersections.h"
@@ -263,20 +264,24 @@ std::vector<int> labels_by_sides(const Regions& regions, const std::vector<std::
 // it
 
 // The volume-length ratio first: it likes all edges of a tetrahedron alike, as the deformation does. The smallest angle
-// is raised only where that leaves it too small, by single operations, then by compound ones, which take several times
-// as long.
+// is raised only where that leaves it too small, by single operations, then by compound ones. These take several times
+// as long, and would search for ever where the surface leaves no room.
 void raise_quality(Mesh& mesh, double min_angle, core::Observer& observer) {
     using geometry::QualityMeasure;
-    ImproveParameters stage = {.changes_boundary = false, .threads = 1};
-    for (const auto& [measure, schedule] : {std::pair(QualityMeasure::volume_length, Schedule::thesis),
-                                            {QualityMeasure::minimum_biased_sine, Schedule::thesis},
-                                            {QualityMeasure::minimum_biased_sine, Schedule::best}}) {
-        stage.measure = measure;
-        stage.schedule = schedule;
-        if (improve(mesh, stage, observer).end == ImproveEnd::cancelled) throw core::Cancelled();
-        if (AngleRange(mesh).min >= min_angle * std::numbers::pi / 180) return;
-        stage.target_angle = min_angle;
-    }
+    constexpr std::size_t compound_changes = 50'000;
+    ImproveParameters parameters = {.measure = QualityMeasure::volume_length, .changes_boundary = false, .threads = 1};
+    const StopCondition stop(observer, std::nullopt);
+    const auto is_enough = [&](SchedulePolicy&& schedule) {
+        ImproveRun run(mesh, parameters, observer, stop);
+        if (run.goes_on("improving")) schedule.run(run);
+        if (run.report.end == ImproveEnd::cancelled) throw core::Cancelled();
+        return AngleRange(mesh).min >= min_angle * std::numbers::pi / 180;
+    };
+    if (is_enough(ThesisSchedule({}))) return;
+    parameters.measure = QualityMeasure::minimum_biased_sine;
+    parameters.target_angle = min_angle;
+    if (is_enough(ThesisSchedule({}))) return;
+    is_enough(BestSchedule({.budget = compound_changes}));
 }
 
 template <class LabelsOf>

@@ -26,7 +26,7 @@ using geometry::Point3;
 
 struct TetrahedralizeParameters {
     double growth = 1;  ///< of the edge length per distance from the surface; [0, 2]
-    /// Improvement goes on until all dihedral angles are at least this [degree]; (0, 40].
+    /// Improvement goes on until all dihedral angles are at least this, or it can't be reached [degree]; (0, 40].
     double min_angle = 15;
     std::string tetgen = "tetgen";  ///< the program, by name or path
 

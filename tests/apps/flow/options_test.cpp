@@ -78,6 +78,7 @@ TEST_CASE("options that are wrong, missing or of no use are refused by name") {
     check_refused({"slotted-cube", "--size", "1,1,2"}, "--size");
     check_refused({"sphere", "--gap", "0.1"}, "--gap");
     check_refused({"ball.off", "--radius", "0.1"}, "--radius");
+    check_refused({"ball.off", "--feature-angle", "60"}, "--feature-angle");
     check_refused({"sphere", "--motion", "spin"}, "--motion");
     check_refused({"sphere", "--motion", "curvature", "--axis", "1,0,0"}, "--axis");
     check_refused({"sphere", "--axis", "0,0,0"}, "--axis");
