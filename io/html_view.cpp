@@ -123,6 +123,23 @@ void append(std::string& text, const ViewSeries& series) {
     text += '}';
 }
 
+void append(std::string& text, const ViewSurfaceFrame& frame) {
+    text += "{\"vertices\":";
+    append_coordinates(text, frame.vertices);
+    text += ",\"triangles\":";
+    append_indices(text, frame.triangles);
+    text += '}';
+}
+
+void append(std::string& text, const ViewSurfaceSeries& series) {
+    DSC_ASSERT(series.times.size() == series.frames.size());
+    begin_item(text, series.name, series.colour, series.is_visible);
+    text += ",\"opacity\":" + number_text(series.opacity) + ",\"edges\":" + (series.shows_edges ? "true" : "false") +
+            ",\"times\":" + numbers(series.times) + ",\"frames\":";
+    append_list(text, series.frames, [&](const ViewSurfaceFrame& frame) { append(text, frame); });
+    text += '}';
+}
+
 void append(std::string& text, const ViewFan& fan) {
     DSC_ASSERT(fan.values.size() == fan.rays.size() && fan.labels.size() == fan.rays.size());
     begin_item(text, fan.name, fan.colour, true);
@@ -155,6 +172,8 @@ void append(std::string& text, const HtmlView& view) {
     append_list(text, view.points, append_item);
     text += ",\n\"series\":";
     append_list(text, view.series, append_item);
+    text += ",\n\"surfaceSeries\":";
+    append_list(text, view.surface_series, append_item);
     text += ",\n\"fan\":";
     append_optional(text, view.fan);
     text += "}";

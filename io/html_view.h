@@ -74,6 +74,23 @@ struct ViewSeries {
     bool is_visible = true;
 };
 
+/// A surface at one time.
+struct ViewSurfaceFrame {
+    std::vector<Eigen::Vector3d> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A surface that changes with time, as ViewSeries does; its triangles are shaded flat.
+struct ViewSurfaceSeries {
+    std::string name;
+    std::vector<double> times;  ///< ascending, one per frame
+    std::vector<ViewSurfaceFrame> frames;
+    std::string colour = "#c9d4de";  ///< CSS
+    double opacity = 1;              ///< at first
+    bool shows_edges = true;         ///< at first
+    bool is_visible = true;
+};
+
 /// Rays from one point (geodesics). A click on the view picks the sample nearest to it, shows its ray up to there and
 /// prints the ray's label and the sample's value.
 struct ViewFan {
@@ -95,6 +112,7 @@ struct HtmlView {
     std::vector<ViewLines> lines;
     std::vector<ViewPoints> points;
     std::vector<ViewSeries> series;
+    std::vector<ViewSurfaceSeries> surface_series;
     std::optional<ViewFan> fan;
 };
 

@@ -3,21 +3,17 @@
 #pragma once
 
 #include <array>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "core/assert.h"
+#include "apps/common/names.h"
 #include "dsc3d/improve/improve.h"
 #include "geometry/tetrahedron_quality.h"
 
 namespace dsc::improve {
 
-template <class Value>
-struct Name {
-    std::string_view name;
-    Value value;
-};
+using apps::all_names;
+using apps::Name;
+using apps::name_of;
+using apps::value_of;
 
 inline constexpr std::array measure_names{
     Name{"sine", geometry::QualityMeasure::minimum_sine},
@@ -37,31 +33,5 @@ inline constexpr std::array end_names{
     Name{"time-limit", dsc3d::ImproveEnd::reached_time_limit},
     Name{"cancelled", dsc3d::ImproveEnd::cancelled},
 };
-
-template <class Names>
-std::vector<std::string> all_names(const Names& names) {
-    std::vector<std::string> result;
-    for (const auto& entry : names) result.emplace_back(entry.name);
-    return result;
-}
-
-template <class Names, class Value>
-std::string name_of(const Names& names, Value value) {
-    for (const auto& entry : names) {
-        if (entry.value == value) return std::string(entry.name);
-    }
-    DSC_ASSERT(false);
-    return {};
-}
-
-/// Precondition: `name` is one of them.
-template <class Names>
-auto value_of(const Names& names, std::string_view name) {
-    for (const auto& entry : names) {
-        if (entry.name == name) return entry.value;
-    }
-    DSC_ASSERT(false);
-    return names.front().value;
-}
 
 }  // namespace dsc::improve

@@ -118,6 +118,12 @@
     return object;
   }
 
+  function noTriangles() {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute([], 3));
+    return geometry;
+  }
+
   function surfaceObject(surface, isFlat) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.Float32BufferAttribute(surface.vertices, 3));
@@ -149,9 +155,7 @@
   const shadeOf = (x, y, z) => 0.8 + 0.2 * Math.abs(0.35 * x - 0.55 * y + 0.76 * z);
 
   function tetsObject(item) {
-    const nothing = new THREE.BufferGeometry();
-    nothing.setAttribute('position', new THREE.Float32BufferAttribute([], 3));
-    const object = triangleObject(nothing, null, item.edges, true);
+    const object = triangleObject(noTriangles(), null, item.edges, true);
     const vertices = Float32Array.from(item.vertices);
     const tets = Uint32Array.from(item.tets);
     const beyond = dscTets.neighbours(tets, vertices.length / 3);
@@ -197,6 +201,27 @@
     return object;
   }
 
+  // A surface that is another one at each time: faces are shaded flat, so that sharp edges are seen.
+  function surfaceSeriesObject(item, isFlat) {
+    const object = triangleObject(noTriangles(), item.colour, item.edges, isFlat);
+    object.frustumCulled = object.children[0].frustumCulled = false;
+    object.show = frame => {
+      const surface = frame < 0 ? { vertices: [], triangles: [] } : item.frames[frame];
+      const positions = new Float32Array(3 * surface.triangles.length);
+      surface.triangles.forEach((v, i) => {
+        for (let k = 0; k < 3; ++k) positions[3 * i + k] = surface.vertices[3 * v + k];
+      });
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+      geometry.computeVertexNormals();
+      for (const part of [object, object.children[0]]) part.geometry.dispose();
+      object.geometry = geometry;
+      object.children[0].geometry = new THREE.WireframeGeometry(geometry);
+    };
+    object.setOpacity(item.opacity);
+    return object;
+  }
+
   // Everything of one view: its objects, camera, controls and what is picked in it.
   function buildView(description) {
     const root = new THREE.Scene();
@@ -220,8 +245,16 @@
     for (const item of description.lines) addItem(item, lineObject(item.lines, lineMaterial(item.colour, item.width)));
     for (const item of description.series) {
       const holder = new THREE.Group();
-      view.series.push({ item, holder, material: lineMaterial(item.colour, item.width), shown: -2 });
+      const material = lineMaterial(item.colour, item.width);
+      const show = frame => replaceContent(holder, frame < 0 ? [] : [lineObject(item.frames[frame], material)]);
+      view.series.push({ item, show, shown: -2 });
       addItem(item, holder);
+    }
+    for (const item of description.surfaceSeries) {
+      const object = surfaceSeriesObject(item, description.flat);
+      view.series.push({ item, show: object.show, shown: -2 });
+      view.surfaces.push(object);
+      addItem(item, object);
     }
     for (const item of description.points) addItem(item, pointObject(item.positions, item.colour, item.size));
     root.add(view.picked);
@@ -229,7 +262,7 @@
       view.fanMaterial = lineMaterial(description.fan.colour, description.fan.width);
       view.items.push({ name: description.fan.name, colour: description.fan.colour, object: view.picked });
     }
-    view.times = Array.from(new Set([].concat(...description.series.map(item => item.times)))).sort((a, b) => a - b);
+    view.times = Array.from(new Set([].concat(...view.series.map(series => series.item.times)))).sort((a, b) => a - b);
     placeCamera(view);
     return view;
   }
@@ -249,6 +282,7 @@
     for (const item of view.description.lines) item.lines.forEach(extend);
     for (const item of view.description.points) extend(item.positions);
     for (const item of view.description.series) item.frames.forEach(frame => frame.forEach(extend));
+    for (const item of view.description.surfaceSeries) item.frames.forEach(frame => extend(frame.vertices));
     if (box.isEmpty()) box.set(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
     return box;
   }
@@ -334,7 +368,7 @@
       while (frame + 1 < series.item.times.length && series.item.times[frame + 1] <= time) ++frame;
       if (frame === series.shown) continue;
       series.shown = frame;
-      replaceContent(series.holder, frame < 0 ? [] : [lineObject(series.item.frames[frame], series.material)]);
+      series.show(frame);
     }
     draw();
   }
@@ -436,8 +470,37 @@
     make('span', row, 'triangles');
   }
 
+  let player = null;
+
+  function stopPlayer() {
+    clearInterval(player);
+    player = null;
+  }
+
+  // Plays all times once, from the first one when the last one is shown.
+  function addPlayButton(holder, slider) {
+    const button = make('button', holder, 'play');
+    button.onclick = () => {
+      if (player !== null) {
+        stopPlayer();
+        button.textContent = 'play';
+        return;
+      }
+      if (Number(slider.value) === current.times.length - 1) slider.value = 0;
+      button.textContent = 'stop';
+      player = setInterval(() => {
+        slider.value = Number(slider.value) + 1;
+        slider.oninput();
+        if (Number(slider.value) < current.times.length - 1) return;
+        stopPlayer();
+        button.textContent = 'play';
+      }, 100);
+    };
+  }
+
   function showSlider() {
     const holder = element('time');
+    stopPlayer();
     holder.textContent = '';
     if (current.times.length === 0) return;
     const text = make('label', holder);
@@ -451,6 +514,7 @@
       setTime(current.times[current.index]);
     };
     slider.oninput();
+    if (current.times.length > 1) addPlayButton(holder, slider);
   }
 
   function addSlider(holder, value, describe, take) {

@@ -29,6 +29,10 @@ HtmlPage example() {
     view.lines.push_back({.name = "arcs", .lines = {line, {}}});
     view.points.push_back({.name = "p", .positions = {{0, 0, 0}}, .labels = {nasty}});
     view.series.push_back({.name = "front", .times = {0.5, 1}, .frames = {{line}, {line, line}}});
+    view.surface_series.push_back(
+        {.name = nasty,
+         .times = {0, 2},
+         .frames = {{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}}, {}}});
     view.fan = ViewFan{.name = "geodesics", .rays = {line}, .values = {{0, 1, 2, 3}}, .labels = {"θ = 0"}};
     return {.title = nasty,
             .facts = {{"length", nasty}},
@@ -85,6 +89,11 @@ TEST_CASE("the scene in the page is the scene that was given, whatever texts it 
     CHECK(view["lines"][0]["lines"][1].size() == 0);
     CHECK(view["points"][0]["labels"][0].string() == nasty);
     CHECK(view["series"][0]["frames"][1].size() == 2);
+    CHECK(view["surfaceSeries"][0]["name"].string() == nasty);
+    CHECK(view["surfaceSeries"][0]["times"].size() == 2);
+    CHECK(view["surfaceSeries"][0]["frames"][0]["vertices"].size() == 9);
+    CHECK(view["surfaceSeries"][0]["frames"][0]["triangles"] == Json::array({0, 1, 2}));
+    CHECK(view["surfaceSeries"][0]["frames"][1]["triangles"].size() == 0);
     CHECK(view["fan"]["values"][0].size() == 4);
     CHECK(scene["views"][1]["fan"].is_null());
     CHECK(scene["views"][1]["tets"].is_null());

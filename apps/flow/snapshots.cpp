@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/snapshots.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+
+#include "core/assert.h"
+#include "dsc3d/interface.h"
+#include "io/number.h"
+
+namespace dsc::flow {
+
+using geometry::InterfaceData;
+
+namespace {
+
+/// Of the sides behind the triangles, by label; then again from the first.
+constexpr std::array colours = {"#8a9aa8", "#4a7ab5", "#d98032", "#5a9e57", "#b05a8f", "#c9b03a"};
+
+io::PolyData poly_data(const InterfaceData& interface) {
+    io::PolyData data{.points = interface.surface.vertices};
+    for (const auto& [a, b, c] : interface.surface.triangles) data.polygons.push_back({a, b, c});
+    io::VtkData front{.name = "front_label"}, back{.name = "back_label"};
+    for (const auto& [in_front, behind] : interface.sides) {
+        front.values.push_back(in_front);
+        back.values.push_back(behind);
+    }
+    data.cell_data = {front, back};
+    return data;
+}
+
+// The triangles between two labels, with the vertices they use.
+io::ViewSurfaceFrame part(const InterfaceData& interface, const std::array<int, 2>& labels) {
+    constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+    io::ViewSurfaceFrame frame;
+    std::vector<std::uint32_t> number(interface.surface.vertices.size(), unused);
+    for (std::size_t i = 0; i < interface.sides.size(); ++i) {
+        if (interface.sides[i] != labels) continue;
+        std::array<std::uint32_t, 3> triangle = interface.surface.triangles[i];
+        for (std::uint32_t& v : triangle) {
+            if (number[v] == unused) {
+                number[v] = static_cast<std::uint32_t>(frame.vertices.size());
+                frame.vertices.push_back(interface.surface.vertices[v]);
+            }
+            v = number[v];
+        }
+        frame.triangles.push_back(triangle);
+    }
+    return frame;
+}
+
+io::ViewLines box_lines(const Eigen::AlignedBox3d& box) {
+    io::ViewLines lines{.name = "domain", .colour = "#909090", .width = 1};
+    for (int corner = 0; corner < 8; ++corner) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if ((corner >> axis & 1) != 0) continue;
+            const auto place = [&](int k) { return box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)); };
+            lines.lines.push_back({place(corner), place(corner | 1 << axis)});
+        }
+    }
+    return lines;
+}
+
+}  // namespace
+
+bool is_snapshot(int step, int steps, int count) {
+    if (count <= 0) return false;
+    if (count > steps) return true;
+    if (step == 0 || step == steps) return true;
+    if (count <= 2) return false;
+    // Step k is one when a multiple of steps / (count - 1) lies in (k - 1, k].
+    const std::int64_t parts = count - 1;
+    return step * parts / steps != (step - 1) * parts / steps;
+}
+
+Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : steps_(steps), count_(count) {
+    if (count > 0) files_.emplace(folder, "series");
+}
+
+void Snapshots::keep(const dsc3d::Mesh& mesh, int step, double time) {
+    DSC_ASSERT(step > last_step_);
+    last_step_ = step;
+    frames_.push_back({time, dsc3d::Interface(mesh).data});
+    files_->add(time, poly_data(frames_.back().interface));
+}
+
+void Snapshots::add(const dsc3d::Mesh& mesh, int step, double time) {
+    if (is_snapshot(step, steps_, count_)) keep(mesh, step, time);
+}
+
+void Snapshots::add_last(const dsc3d::Mesh& mesh, int step, double time) {
+    if (count_ > 0 && step != last_step_) keep(mesh, step, time);
+}
+
+std::vector<io::ViewSurfaceSeries> Snapshots::series() const {
+    std::map<std::array<int, 2>, io::ViewSurfaceSeries> by_labels;
+    for (const Frame& frame : frames_)
+        for (const auto& labels : frame.interface.sides) by_labels.try_emplace(labels);
+    std::vector<io::ViewSurfaceSeries> result;
+    for (auto& [labels, series] : by_labels) {
+        const auto behind = static_cast<std::size_t>(std::abs(labels[1]));
+        series.name = "between " + std::to_string(labels[0]) + " and " + std::to_string(labels[1]);
+        series.colour = colours[behind % colours.size()];
+        for (const Frame& frame : frames_) {
+            series.times.push_back(frame.time);
+            series.frames.push_back(part(frame.interface, labels));
+        }
+        result.push_back(std::move(series));
+    }
+    return result;
+}
+
+io::HtmlPage html_page(const FlowResult& result, const Snapshots& snapshots, const std::string& title) {
+    DSC_ASSERT(!result.steps.empty());
+    io::HtmlPage page{.title = title};
+    const StepRecord &first = result.steps.front(), &last = result.steps.back();
+    const auto add = [&](const std::string& name, const auto& figure) {
+        page.facts.emplace_back(name, figure(first) + " → " + figure(last));
+    };
+    add("tetrahedra", [](const StepRecord& step) { return std::to_string(step.tets); });
+    add("interface triangles", [](const StepRecord& step) { return std::to_string(step.interface_faces); });
+    add("smallest angle", [](const StepRecord& step) { return fmt::format("{:.2f}°", step.min_dihedral); });
+    for (const dsc3d::LabelStatistics& label : first.labels) {
+        const std::string name = "volume of label " + std::to_string(label.label);
+        add(name, [&](const StepRecord& step) {
+            const auto found = std::ranges::find(step.labels, label.label, &dsc3d::LabelStatistics::label);
+            return found == step.labels.end() ? std::string("0") : io::number_text(found->volume, 6);
+        });
+    }
+    page.facts.emplace_back("events", std::to_string(result.events.size()));
+    page.facts.emplace_back("end", result.reason);
+    io::HtmlView view{.name = "interface"};
+    view.surface_series = snapshots.series();
+    view.lines.push_back(box_lines(result.domain));
+    io::ViewPoints events{.name = "events"};
+    for (const FlowEvent& event : result.events) {
+        events.positions.push_back(event.place);
+        events.labels.push_back(event.kind + " at time " + io::number_text(event.time, 6));
+    }
+    if (!events.positions.empty()) view.points.push_back(std::move(events));
+    page.views.push_back(std::move(view));
+    return page;
+}
+
+}  // namespace dsc::flow

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/step_record.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "dsc3d/improve/angle_range.h"
+#include "geometry/tetrahedron_quality.h"
+
+namespace dsc::flow {
+
+using dsc3d::Complex;
+using dsc3d::FaceId;
+using dsc3d::Mesh;
+using dsc3d::TetId;
+
+namespace {
+
+std::vector<std::array<std::uint32_t, 3>> interface_triangles(const Complex& complex) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        const FaceId f(i);
+        if (complex.is_deleted(f) || !complex.is_interface(f)) continue;
+        const dsc3d::FaceVertices v = complex.vertices(f);
+        std::array<std::uint32_t, 3>& key = triangles.emplace_back();
+        std::ranges::transform(v, key.begin(), [](dsc3d::VertexId vertex) { return vertex.index(); });
+        std::ranges::sort(key);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+}
+
+void judge_tets(const Mesh& mesh, StepRecord& record) {
+    const Complex& complex = mesh.complex();
+    record.min_quality = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < complex.tet_capacity(); ++i) {
+        const TetId t(i);
+        if (complex.is_deleted(t)) continue;
+        const auto& [a, b, c, d] = complex.vertices(t);
+        record.inverted += mesh.is_positive(complex.vertices(t)) ? 0 : 1;
+        record.min_quality =
+            std::min(record.min_quality, geometry::quality(geometry::QualityMeasure::volume_length, mesh.position(a),
+                                                           mesh.position(b), mesh.position(c), mesh.position(d)));
+    }
+    const dsc3d::AngleRange angles(mesh);
+    record.min_dihedral = angles.min * 180 / std::numbers::pi;
+    record.max_dihedral = angles.max * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+UnchangedTriangles::UnchangedTriangles(const Mesh& mesh) : first_(interface_triangles(mesh.complex())) {}
+
+double UnchangedTriangles::share(const Mesh& mesh) const {
+    if (first_.empty()) return 1;
+    std::vector<Key> kept;
+    std::ranges::set_intersection(first_, interface_triangles(mesh.complex()), std::back_inserter(kept));
+    return static_cast<double>(kept.size()) / static_cast<double>(first_.size());
+}
+
+StepRecord step_record(const Mesh& mesh, int step, double time, const UnchangedTriangles& unchanged) {
+    StepRecord record{.step = step, .time = time};
+    const Complex& complex = mesh.complex();
+    record.vertices = complex.vertex_count();
+    record.tets = complex.tet_count();
+    record.unchanged_share = unchanged.share(mesh);
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i)
+        record.interface_faces += !complex.is_deleted(FaceId(i)) && complex.is_interface(FaceId(i)) ? 1 : 0;
+    record.labels = dsc3d::label_statistics(mesh);
+    judge_tets(mesh, record);
+    return record;
+}
+
+void add_step(StepRecord& record, const motion::StepReport<3>& report) {
+    record.is_complete = report.is_complete;
+    record.substeps = report.substeps;
+    record.unfinished = report.unfinished.size();
+    for (const auto& motion : report.unfinished)
+        record.largest_remainder = std::max(record.largest_remainder, motion.remaining.norm());
+    record.counts = report.counts;
+}
+
+}  // namespace dsc::flow

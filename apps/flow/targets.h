@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the motion asked for to the targets of a step. Source: thesis 4.4.1. Guarantee: a rotation takes each vertex
+// along its arc, by the angle of the step. Cost: linear in the interface.
+#pragma once
+
+#include "apps/flow/flow.h"
+#include "apps/flow/options.h"
+
+namespace dsc::flow {
+
+/// `until`: time over which a rotation makes its angle. Throws core::UsageError for a motion that can't be made.
+Targets motion_targets(const MotionOptions& motion, const Eigen::AlignedBox3d& domain, double until);
+
+}  // namespace dsc::flow

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/time_steps.h"
+
+#include <cmath>
+
+#include "core/assert.h"
+#include "core/errors.h"
+
+namespace dsc::flow {
+
+namespace {
+
+constexpr int default_steps = 50;
+constexpr double most_steps = 1e7;
+
+double default_end(const MotionOptions& motion) {
+    return motion.motion == Motion::enright || motion.motion == Motion::vortex ? motion.period : 1;
+}
+
+}  // namespace
+
+TimeSteps time_steps(const TimeOptions& options, const MotionOptions& motion) {
+    DSC_ASSERT(!(options.dt && options.until && options.steps));
+    TimeSteps result;
+    if (options.dt && options.steps) {
+        result = {.dt = *options.dt, .until = *options.dt * *options.steps, .count = *options.steps};
+    } else {
+        result.until = options.until.value_or(default_end(motion));
+        if (options.dt) {
+            result.dt = *options.dt;
+            // A remainder below rounding is no step of its own.
+            const double count = std::ceil(result.until / result.dt * (1 - 1e-12));
+            if (count > most_steps) throw core::UsageError("--dt: that would be more than 10000000 steps");
+            result.count = static_cast<int>(count);
+        } else {
+            result.count = options.steps.value_or(default_steps);
+            result.dt = result.until / result.count;
+        }
+    }
+    if (result.count > most_steps) throw core::UsageError("--steps: has to be at most 10000000");
+    return result;
+}
+
+}  // namespace dsc::flow

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/flow.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "apps/flow/initial_mesh.h"
+#include "apps/flow/targets.h"
+#include "dsc3d/interface.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace dsc;
+using namespace dsc::flow;
+
+namespace {
+
+/// A small ball in the unit box, and a run of it.
+struct Run {
+    explicit Run(int steps) {
+        core::Observer observer;
+        const InitialMesh initial = initial_mesh({.shape = Shape::sphere, .radius = 0.2, .edge_length = 0.1}, observer);
+        mesh.emplace(initial.data);
+        result.domain = initial.domain;
+        result.edge_length = initial.edge_length;
+        result.time = time_steps({.steps = steps}, {});
+    }
+    void go(const Targets& targets, core::Observer& observer) {
+        dsc3d::Deformer deformer(*mesh, {.edge_length = result.edge_length});
+        Snapshots snapshots(folder.path(), result.time.count, 2);
+        run_flow(*mesh, deformer, targets, snapshots, observer, result);
+    }
+
+    tests::TemporaryFolder folder;
+    std::optional<dsc3d::Mesh> mesh;
+    FlowResult result;
+};
+
+class StopAfter final : public core::Observer {
+public:
+    explicit StopAfter(int steps) : left_(steps) {}
+    void progress(std::string_view, double, std::string_view) override { --left_; }
+    bool is_cancelled() const override { return left_ <= 0; }
+
+private:
+    int left_;
+};
+
+}  // namespace
+
+TEST_CASE("a ball that is turned by 90 degrees is the ball turned by 90 degrees") {
+    Run run(9);
+    std::vector<Point3> before;
+    for (const Point3& p : dsc3d::Interface(*run.mesh).data.surface.vertices) before.push_back(p);
+    core::Observer observer;
+    MotionOptions motion;
+    motion.angle = 90;
+    run.go(motion_targets(motion, run.result.domain, run.result.time.until), observer);
+    CHECK(run.result.end == FlowEnd::done);
+    REQUIRE(run.result.steps.size() == 10);
+    CHECK(validate(*run.mesh).empty());
+    for (const StepRecord& step : run.result.steps) {
+        CHECK(step.inverted == 0);
+        CHECK(step.is_complete);
+        CHECK(step.unchanged_share == 1);
+        CHECK(step.labels[1].volume == Approx(run.result.steps.front().labels[1].volume).epsilon(1e-12));
+    }
+    const std::vector<Point3> after = dsc3d::Interface(*run.mesh).data.surface.vertices;
+    REQUIRE(after.size() == before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const Point3 d = before[i] - Point3(0.5, 0.5, 0.5);
+        CHECK((after[i] - Point3(0.5 - d.y(), 0.5 + d.x(), 0.5 + d.z())).norm() < 1e-13);
+    }
+}
+
+TEST_CASE("a run that is stopped keeps the steps made, and one whose targets are no numbers says where") {
+    {
+        Run run(20);
+        StopAfter observer(3);
+        run.go(motion_targets({}, run.result.domain, 1), observer);
+        CHECK(run.result.end == FlowEnd::cancelled);
+        CHECK(run.result.steps.size() == 4);
+        CHECK(validate(*run.mesh).empty());
+    }
+    Run run(20);
+    core::Observer observer;
+    const Targets bad = [](const dsc3d::Mesh& mesh, double time, double) {
+        std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
+        const dsc3d::VertexId v = dsc3d::Interface(mesh).vertices[5];
+        targets[v.index()] = time < 0.1 ? mesh.position(v) : Point3(std::nan(""), 0, 0);
+        return targets;
+    };
+    run.go(bad, observer);
+    CHECK(run.result.end == FlowEnd::stopped);
+    CHECK_THAT(run.result.reason, Catch::Contains("vertex") && Catch::Contains("not finite"));
+    CHECK(run.result.steps.size() == 3);
+    CHECK(run.folder.content().size() == 3);
+}

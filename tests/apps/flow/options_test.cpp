@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/options.h"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace dsc;
+using namespace dsc::flow;
+
+namespace {
+
+std::optional<Options> parsed(std::vector<std::string> arguments) {
+    const tests::TemporaryFolder folder;
+    arguments.insert(arguments.begin(), "flow");
+    arguments.insert(arguments.end(), {"-o", folder.path().string()});
+    std::vector<const char*> argv;
+    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+    return parse_options(static_cast<int>(argv.size()), argv.data());
+}
+
+void check_refused(const std::vector<std::string>& arguments, const std::string& word) {
+    CAPTURE(arguments);
+    CHECK_THROWS_AS(parsed(arguments), core::UsageError);
+    CHECK_THROWS_WITH(parsed(arguments), Catch::Contains(word));
+}
+
+}  // namespace
+
+TEST_CASE("options of shape, motion and time arrive as numbers") {
+    const Options options = *parsed(
+        {"torus", "--center", "1,2,-3.5",     "--radius", "0.4",    "--minor-radius", "0.2",        "--edge-length",
+         "0.05",  "--domain", "0,0,-5,2,4,0", "--motion", "rotate", "--axis",         "0,1,1",      "--about",
+         "1,1,1", "--angle",  "-90",          "--steps",  "25",     "--topology",     "merge-only", "--snapshots",
+         "0"});
+    CHECK(options.shape.shape == Shape::torus);
+    CHECK(options.shape.centre == Point3(1, 2, -3.5));
+    CHECK(*options.shape.radius == 0.4);
+    CHECK(*options.shape.minor_radius == 0.2);
+    CHECK(*options.shape.edge_length == 0.05);
+    CHECK(options.shape.domain->min() == Point3(0, 0, -5));
+    CHECK(options.shape.domain->max() == Point3(2, 4, 0));
+    CHECK(options.motion.motion == Motion::rotate);
+    CHECK(options.motion.axis == Point3(0, 1, 1));
+    CHECK(*options.motion.about == Point3(1, 1, 1));
+    CHECK(options.motion.angle == -90);
+    CHECK(*options.time.steps == 25);
+    CHECK_FALSE(options.time.dt);
+    CHECK(options.topology == dsc::motion::TopologyPolicy::merge_only);
+    CHECK(options.snapshots == 0);
+    CHECK(options.given["--angle"].string() == "-90");
+}
+
+TEST_CASE("a shape that is not known by name is a file; --velocity is what the motion makes of it") {
+    const Options file = *parsed({"ball.off", "--motion", "offset", "--distance", "-0.1"});
+    CHECK(file.shape.shape == Shape::file);
+    CHECK(file.shape.path == "ball.off");
+    CHECK(*file.motion.distance == -0.1);
+    CHECK(*parsed({"box", "--size", "2", "--motion", "translate", "--velocity", "1,0,0"})->motion.velocity ==
+          Point3(1, 0, 0));
+    const std::string text = "x=-y;y=x;z=t";
+    CHECK(*parsed({"box", "--size", "1,2,3", "--motion", "expression", "--velocity", text})->motion.expressions ==
+          text);
+}
+
+TEST_CASE("options that are wrong, missing or of no use are refused by name") {
+    check_refused({"ball"}, "ball");
+    check_refused({"sphere", "--center", "1,2"}, "--center");
+    check_refused({"sphere", "--center", "1,2,x"}, "--center");
+    check_refused({"sphere", "--domain", "0,0,0,1,1,0"}, "--domain");
+    check_refused({"sphere", "--radius", "0"}, "--radius");
+    check_refused({"sphere", "--edge-length", "-1"}, "--edge-length");
+    check_refused({"box", "--size", "1,2"}, "--size");
+    check_refused({"box", "--size", "1,2,-3"}, "--size");
+    check_refused({"slotted-cube", "--size", "1,1,2"}, "--size");
+    check_refused({"sphere", "--gap", "0.1"}, "--gap");
+    check_refused({"ball.off", "--radius", "0.1"}, "--radius");
+    check_refused({"ball.off", "--feature-angle", "60"}, "--feature-angle");
+    check_refused({"sphere", "--motion", "spin"}, "--motion");
+    check_refused({"sphere", "--motion", "curvature", "--axis", "1,0,0"}, "--axis");
+    check_refused({"sphere", "--axis", "0,0,0"}, "--axis");
+    check_refused({"sphere", "--motion", "offset"}, "--distance");
+    check_refused({"sphere", "--motion", "translate"}, "--velocity");
+    check_refused({"sphere", "--motion", "translate", "--velocity", "x=1"}, "--velocity");
+    check_refused({"sphere", "--motion", "expression"}, "--velocity");
+    check_refused({"sphere", "--dt", "0.1", "--until", "1", "--steps", "10"}, "--steps");
+    check_refused({"sphere", "--dt", "nan"}, "--dt");
+    check_refused({"sphere", "--dimension", "4"}, "--dimension");
+    check_refused({"sphere", "--topology", "none"}, "--topology");
+    const std::vector<const char*> without_folder = {"flow", "sphere"};
+    CHECK_THROWS_WITH(parse_options(2, without_folder.data()), Catch::Contains("-o"));
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dsc3d/generate/blocks.h"
+#include "io/atomic_file.h"
+#include "io/json.h"
+#include "io/surface_mesh.h"
+#include "io/tet_mesh.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace dsc;
+using namespace dsc::tests;
+
+namespace {
+
+void check_refused(const std::vector<std::string>& arguments, const std::string& word) {
+    const ProgramResult result = run_program(DSC_FLOW_PROGRAM, arguments);
+    INFO(result.err);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out.empty());
+    CHECK(result.err_lines() == 1);
+    CHECK_THAT(result.err, Catch::Contains(word));
+}
+
+}  // namespace
+
+TEST_CASE("a run leaves the surface, the mesh, the series, the report and the page") {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "turned").string();
+    const ProgramResult result = run_program(DSC_FLOW_PROGRAM, {"labelled-block", "--edge-length", "0.1", "--motion",
+                                                                "rotate", "--angle", "20", "--steps", "4", "-o", out});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.empty());
+    CHECK_THAT(result.out, Catch::Contains("label 3: volume"));
+    for (const char* name : {"final.obj", "final.mesh", "series.pvd", "series_0004.vtp", "report.json", "index.html"})
+        CHECK(std::filesystem::exists(std::filesystem::path(out) / name));
+
+    const io::Json report = io::Json::parse(io::read_file(out + "/report.json"));
+    CHECK(report["end"].string() == "done");
+    REQUIRE(report["steps"].size() == 5);
+    const io::Json& last = report["steps"][4];
+    CHECK(last["inverted"].integer() == 0);
+    CHECK(last["labels"].size() == 4);
+    CHECK(last["labels"][1]["volume"].number() == Approx(0.032).epsilon(1e-9));
+    CHECK(last["unchanged_share"].number() == 1);
+    CHECK(last["ms"]["deform"].number() >= 0);
+    const geometry::TetData data = io::read_tet_mesh(out + "/final.mesh").data;
+    CHECK(data.tets.size() == static_cast<std::size_t>(last["tets"].integer()));
+    CHECK(io::read_surface_mesh(out + "/final.obj").triangles.size() ==
+          static_cast<std::size_t>(last["interface_faces"].integer()));
+}
+
+TEST_CASE("bad input is refused in one line") {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "out").string();
+    check_refused({"absent.off", "-o", out}, "absent.off");
+    check_refused({"sphere"}, "-o");
+    check_refused({"sphere", "--radius", "0.6", "--domain", "0,0,0,1,1,1", "-o", out}, "leaves the box");
+    geometry::SurfaceData surface = dsc3d::box_surface({geometry::Point3(0, 0, 0), geometry::Point3(1, 1, 1)}, 0.5);
+    surface.triangles.erase(surface.triangles.begin());
+    const std::string open = (folder / "open.off").string();
+    io::write_surface_mesh(open, surface);
+    check_refused({open, "-o", out}, "open edge");
+    check_refused({open, "--edge-length", "0", "-o", out}, "--edge-length");
+}
