@@ -2,6 +2,7 @@
 #include "surface/features.h"
 
 #include <algorithm>
+#include <array>
 
 #include "surface/triangle.h"
 
@@ -16,49 +17,22 @@ struct FeatureEdges {
     Vector3 second = Vector3::Zero();
 };
 
-class FeatureFinder {
-public:
-    FeatureFinder(const OneRing& ring, double feature_angle) : ring_(ring), angle_(radians(feature_angle)) {}
+bool has(const RingTriangle& triangle, const Point3& end) { return triangle.a == end || triangle.b == end; }
 
-    FeatureEdges feature_edges() const {
-        FeatureEdges edges;
-        for (std::size_t i = 0; i < ring_.triangles.size(); ++i) {
-            for (const Point3& end : {ring_.triangles[i].a, ring_.triangles[i].b}) {
-                if (!is_in_earlier_triangle(end, i) && is_feature(end)) add(edges, end - ring_.centre);
-            }
+FeatureEdges feature_edges(const OneRing& ring, double feature_angle) {
+    FeatureEdges edges;
+    for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
+        for (const Point3& end : {ring.triangles[i].a, ring.triangles[i].b}) {
+            const bool is_known =
+                std::ranges::any_of(ring.triangles.first(i), [&](const auto& t) { return has(t, end); });
+            if (is_known || !is_feature_edge(ring, end, feature_angle)) continue;
+            if (edges.count == 0) edges.first = end - ring.centre;
+            if (edges.count == 1) edges.second = end - ring.centre;
+            ++edges.count;
         }
-        return edges;
     }
-
-private:
-    static bool has(const RingTriangle& triangle, const Point3& end) { return triangle.a == end || triangle.b == end; }
-
-    static void add(FeatureEdges& edges, const Vector3& direction) {
-        if (edges.count == 0) edges.first = direction;
-        if (edges.count == 1) edges.second = direction;
-        ++edges.count;
-    }
-
-    bool is_in_earlier_triangle(const Point3& end, std::size_t i) const {
-        return std::ranges::any_of(ring_.triangles.first(i), [&](const RingTriangle& t) { return has(t, end); });
-    }
-
-    bool is_feature(const Point3& end) const {
-        int count = 0;
-        Vector3 normals[2];
-        for (const RingTriangle& triangle : ring_.triangles) {
-            if (!has(triangle, end)) continue;
-            if (++count > 2) return true;
-            // Turned so that the edge goes the same way round in both, whatever their orientation.
-            const Vector3 normal = unit_normal(ring_.centre, triangle.a, triangle.b);
-            normals[count - 1] = (triangle.a == end) == (count == 1) ? normal : Vector3(-normal);
-        }
-        return count != 2 || angle_between(normals[0], normals[1]) > angle_;
-    }
-
-    const OneRing& ring_;
-    double angle_;
-};
+    return edges;
+}
 
 }  // namespace
 
@@ -70,10 +44,23 @@ bool is_feature_edge(const Point3& a, const Point3& b, const Point3& c, const Po
     return bend(a, b, c, d) > feature_angle;
 }
 
+bool is_feature_edge(const OneRing& ring, const Point3& end, double feature_angle) {
+    int count = 0;
+    std::array<Vector3, 2> normals;
+    for (const RingTriangle& triangle : ring.triangles) {
+        if (!has(triangle, end)) continue;
+        if (++count > 2) return true;
+        // Turned so that the edge goes the same way round in both, whatever their orientation.
+        const Vector3 normal = unit_normal(ring.centre, triangle.a, triangle.b);
+        normals[static_cast<std::size_t>(count - 1)] = (triangle.a == end) == (count == 1) ? normal : Vector3(-normal);
+    }
+    return count != 2 || angle_between(normals[0], normals[1]) > radians(feature_angle);
+}
+
 VertexFeature vertex_feature(const OneRing& ring, const VertexQuadric& quadric, double feature_angle) {
     const int rank = quadric.rank(feature_angle);
     if (rank == 3) return VertexFeature::corner;
-    const FeatureEdges edges = FeatureFinder(ring, feature_angle).feature_edges();
+    const FeatureEdges edges = feature_edges(ring, feature_angle);
     if (edges.count >= 3) return VertexFeature::corner;
     if (edges.count == 2) {
         const bool is_straight = angle_between(edges.first, -edges.second) <= radians(feature_angle);

@@ -20,8 +20,12 @@ double bend(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 /// An edge is a feature when it bends by more than `feature_angle` [degree].
 bool is_feature_edge(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double feature_angle);
 
+/// The edge from the centre to the neighbour at `end`, by the triangles of the ring at it; an edge that is not between
+/// two triangles is a feature. Precondition: `end` is the position of a neighbour, bit for bit.
+bool is_feature_edge(const OneRing& ring, const Point3& end, double feature_angle);
+
 /// A corner: the quadric has rank 3, or three feature edges meet, or two that turn by more than `feature_angle`.
-/// A ridge: rank 2, or two feature edges in line. An edge that is not between two triangles is a feature as well.
+/// A ridge: rank 2, or two feature edges in line.
 VertexFeature vertex_feature(const OneRing& ring, const VertexQuadric& quadric, double feature_angle);
 
 }  // namespace dsc::surface
