@@ -13,6 +13,8 @@ namespace {
 
 constexpr double least_rise = 1e-3;  // of the smallest angle, relative: steps that gain less are not worth a change
 
+constexpr double least_area = 1e-6;  // of the sum of area vectors [sum of areas]
+
 /// Distance of `step` from the half-line along `edge`.
 double distance_to_ray(const Vector3& step, const Vector3& edge) {
     const double share = std::max(0.0, step.dot(edge) / edge.squaredNorm());
@@ -69,12 +71,13 @@ Vector3 null_space_displacement(const OneRing& ring, const VertexQuadric& quadri
         area += weight;
         edges += ((t.a - ring.centre).norm() + (t.b - ring.centre).norm()) / 2;
     }
-    if (!(area > 0) || areas.isZero(0)) return Vector3::Zero();
+    if (!(area > 0)) return Vector3::Zero();
 
     const Vector3 wanted = sum / area;
-    const Vector3 ridge = quadric.vector(2), normal = areas.normalized();
-    const Vector3 step = feature == VertexFeature::ridge ? Vector3(ridge * ridge.dot(wanted))
-                                                         : Vector3(wanted - normal * normal.dot(wanted));
+    Vector3 step = wanted;
+    if (feature == VertexFeature::ridge) step = quadric.vector(2) * quadric.vector(2).dot(wanted);
+    // Area vectors of opposite sheets may cancel and leave no direction but that of rounding.
+    if (areas.norm() > least_area * area) step -= areas * (areas.dot(step) / areas.squaredNorm());
     // The distance grows linearly on the way, because the prolonged ring is a cone.
     const double limit = parameters.freedom * edges / static_cast<double>(ring.triangles.size());
     const double distance = distance_to_ring(ring, step);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tangential smoothing of a vertex that leaves the surface as it is: towards the mean of the centroids of its
-// triangles, within the null space of its quadric. Source: thesis 4.3.2.2; Jiao (2007). Corners stay, vertices of a
-// ridge slide along it, the others in their tangent plane, which is taken perpendicular to the sum of the area vectors
-// of the ring. Guarantee: where the surface is of planes no vertex leaves its planes (to rounding); a closed ring of a
-// smooth piece encloses the same volume afterwards (to rounding), because the volume is linear in the place of its
-// centre; the surface moves by no more than `freedom`. Cost: quadratic in the ring, which is small; no allocation.
+// triangles, within the null space of its quadric.
+// Source: thesis 4.3.2.2; Jiao (2007). Corners stay, vertices of a ridge slide along it, the others in their tangent
+// plane; and all of them perpendicular to the sum of the area vectors of the ring.
+// Guarantee: where the surface is of planes no vertex leaves its planes (to rounding); a closed ring of one sheet
+// encloses the same volume afterwards (to rounding), because the volume is linear in the place of its centre; the
+// surface moves by no more than `freedom`. Cost: quadratic in the ring, which is small; no allocation.
 //
 //     if (const std::optional<Point3> place = surface::smoothed_position(ring, {})) move(v, *place);
 #pragma once

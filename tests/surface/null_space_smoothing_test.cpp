@@ -135,7 +135,8 @@ TEST_CASE("smoothing a ball keeps its volume, and its shape within the freedom")
     }
     CHECK(moves > 100);
     CHECK(volume(ball) == Approx(before).epsilon(1e-14));
-    for (const Point3& p : ball.vertices) CHECK(std::abs(p.norm() - 1) < 0.02 * 0.3);  // edges are 0.15, in the mean
+    // Edges are shorter than 0.3; the old triangles themselves lie below the sphere by up to an eighth of their square.
+    for (const Point3& p : ball.vertices) CHECK(std::abs(p.norm() - 1) < 0.02 * 0.3 + 0.3 * 0.3 / 8);
 }
 
 TEST_CASE("without freedom a curved ring stays, and a good ring stays anyway") {
