@@ -78,7 +78,7 @@ TEST_CASE("complaints name the column") {
     CHECK_THAT(message("(-y, x, w)"), Catch::StartsWith("--velocity: column 9: unknown name at 'w'"));
     CHECK_THAT(message("(-y, x*, 0)"), Catch::StartsWith("--velocity: column "));
     CHECK_THAT(message("(-y, , 0)"), Catch::Contains("column 5: the expression is empty"));
-    CHECK_THAT(message("(-y, x), 0)"), Catch::Contains("column 7: this ')' has no '('"));
+    CHECK_THAT(message("(-y, x), 0)"), Catch::Contains("column 11: this ')' has no '('"));
     CHECK_THAT(message("-y, (x, 0"), Catch::Contains("a '(' is not closed"));
     CHECK_THAT(message("x = 3, 0, 0"), Catch::Contains("column 3: unexpected '='"));
     CHECK_THAT(message("sin(), 0, 0"), Catch::StartsWith("--velocity: column "));
