@@ -37,6 +37,8 @@ int run(int argc, const char* const* argv) {
     if (options->dimension == 2) throw core::UsageError("--dimension 2 is not there yet");
     if (options->sizing) throw core::UsageError("--sizing is not there yet");
     if (options->is_resumed) throw core::UsageError("--resume is not there yet");
+    if (options->topology != motion::TopologyPolicy::preserved)
+        throw core::UsageError("--topology: only preserved is there yet; interfaces that meet are stopped");
     apps::ProgressObserver observer(options->common.progress);
     const InitialMesh initial = initial_mesh(options->shape, observer);
     FlowResult result{.domain = initial.domain,

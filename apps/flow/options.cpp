@@ -17,7 +17,7 @@ namespace {
 struct Texts {
     std::string shape;
     std::string motion = "rotate";
-    std::string topology = "adaptive";
+    std::string topology = "preserved";
     std::optional<std::string> centre, size, domain, axis, about, velocity;
 };
 
@@ -120,7 +120,7 @@ void check_uses(const apps::CommandLine& line, const Options& options) {
     if (options.motion.motion == Motion::translate && !options.motion.velocity)
         throw core::UsageError("--motion translate needs --velocity x,y,z");
     if (options.motion.motion == Motion::expression && !options.motion.expressions)
-        throw core::UsageError("--motion expression needs --velocity \"x=...;y=...;z=...\"");
+        throw core::UsageError("--motion expression needs --velocity \"(-y, x, 0)\"");
     if (options.time.dt && options.time.until && options.time.steps)
         throw core::UsageError("only two of --dt, --until, --steps can be given: the third one follows");
 }
@@ -165,7 +165,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.number("--angle", motion.angle, "of rotation in all, in degrees");
     line.number("--distance", motion.distance, "of the offset in all, negative inwards");
     line.number("--period", motion.period, "of enright and vortex", {.above = 0});
-    line.text("--velocity", texts.velocity, "x,y,z of translate; \"x=...;y=...;z=...\" in x, y, z, t of expression");
+    line.text("--velocity", texts.velocity, "x,y,z of translate; \"(-y, x, 0)\" in x, y, z, t of expression");
     line.heading("Time");
     line.number("--dt", options.time.dt, "of a step", {.above = 0});
     line.number("--until", options.time.until, "time at the end", {.above = 0});

@@ -44,7 +44,7 @@ struct MotionOptions {
     std::optional<double> distance;          ///< offset: in all; negative inwards
     double period = 3;                       ///< enright, vortex: time after which the flow is back at its start
     std::optional<Point3> velocity;          ///< translate
-    std::optional<std::string> expressions;  ///< expression: "x=...;y=...;z=..." in x, y, z and t
+    std::optional<std::string> expressions;  ///< expression: "(-y, x, 0)" in x, y, z and t
 };
 
 struct TimeOptions {
@@ -57,7 +57,7 @@ struct Options {
     ShapeOptions shape;
     MotionOptions motion;
     TimeOptions time;
-    motion::TopologyPolicy topology = motion::TopologyPolicy::adaptive;
+    motion::TopologyPolicy topology = motion::TopologyPolicy::preserved;
     int dimension = 3;
     std::optional<std::string> sizing;
     int snapshots = 20;

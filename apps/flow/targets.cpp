@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/flow/targets.h"
 
+#include <Eigen/Geometry>
 #include <numbers>
+#include <utility>
 
-#include "apps/flow/names.h"
-#include "core/errors.h"
+#include "dsc3d/interface.h"
+#include "motion/expression_field.h"
+#include "motion/fields.h"
+#include "motion/runge_kutta.h"
+#include "surface/face_offsetting.h"
+#include "surface/implicit_curvature.h"
+#include "surface/vertex_rings.h"
 
 namespace dsc::flow {
 
@@ -23,6 +30,42 @@ std::vector<std::optional<Point3>> mapped(const dsc3d::Mesh& mesh, const Map& ma
     return targets;
 }
 
+// The same by the places in the interface: `positions` has one for each of its vertices.
+std::vector<std::optional<Point3>> placed(const dsc3d::Mesh& mesh, const dsc3d::Interface& interface,
+                                          const std::vector<Point3>& positions) {
+    std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const dsc3d::VertexId v = interface.vertices[i];
+        if (!mesh.complex().is_boundary(v)) targets[v.index()] = positions[i];
+    }
+    return targets;
+}
+
+Targets along(motion::VelocityField<3> velocity) {
+    return [flow = motion::RungeKuttaFlow<3>(std::move(velocity))](const dsc3d::Mesh& mesh, double time, double dt) {
+        return mapped(mesh, [&](const Point3& p) -> Point3 { return flow.at(p, time, time + dt); });
+    };
+}
+
+// Thesis 4.4.1.2, with the semi-implicit step, which is stable for every dt.
+std::vector<std::optional<Point3>> curvature_targets(const dsc3d::Mesh& mesh, double, double dt) {
+    const dsc3d::Interface interface(mesh);
+    std::vector<std::uint8_t> is_fixed;
+    for (const dsc3d::VertexId v : interface.vertices) is_fixed.push_back(mesh.complex().is_boundary(v) ? 1 : 0);
+    return placed(mesh, interface, surface::implicit_curvature_step(interface.data.surface, dt, is_fixed));
+}
+
+// Thesis 4.4.1.3. Normals point to the lower label: out of objects, into the background.
+std::vector<std::optional<Point3>> offset_targets(const dsc3d::Mesh& mesh, double distance) {
+    const dsc3d::Interface interface(mesh);
+    const surface::VertexRings rings(interface.data.surface);
+    std::vector<surface::RingTriangle> buffer;
+    std::vector<Point3> positions = interface.data.surface.vertices;
+    for (std::uint32_t i = 0; i < positions.size(); ++i)
+        positions[i] += surface::offset_displacement(rings.ring(i, buffer), distance, {});
+    return placed(mesh, interface, positions);
+}
+
 }  // namespace
 
 Targets motion_targets(const MotionOptions& motion, const Eigen::AlignedBox3d& domain, double until) {
@@ -35,12 +78,17 @@ Targets motion_targets(const MotionOptions& motion, const Eigen::AlignedBox3d& d
                 return mapped(mesh, [&](const Point3& p) -> Point3 { return about + turn * (p - about); });
             };
         }
-        case Motion::translate:
-            return [velocity = *motion.velocity](const dsc3d::Mesh& mesh, double, double dt) {
-                return mapped(mesh, [&](const Point3& p) -> Point3 { return p + dt * velocity; });
+        case Motion::curvature: return curvature_targets;
+        case Motion::offset:
+            return [speed = *motion.distance / until](const dsc3d::Mesh& mesh, double, double dt) {
+                return offset_targets(mesh, speed * dt);
             };
-        default: throw core::UsageError("--motion " + name_of(motion_names, motion.motion) + " is not there yet");
+        case Motion::enright: return along(motion::enright_deformation(motion.period));
+        case Motion::vortex: return along(motion::vortex_in_cube(motion.period));
+        case Motion::translate: return along(motion::translation_field<3>(*motion.velocity));
+        case Motion::expression: break;
     }
+    return along(motion::expression_field<3>(*motion.expressions));
 }
 
 }  // namespace dsc::flow

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the motion asked for to the targets of a step. Source: thesis 4.4.1. Guarantee: a rotation takes each vertex
-// along its arc, by the angle of the step. Cost: linear in the interface.
+// along its arc, by the angle of the step; velocities are integrated by one Runge-Kutta step of order 4. Cost: linear
+// in the mesh, but for curvature flow, which solves a sparse system over the interface.
 #pragma once
 
 #include "apps/flow/flow.h"
@@ -8,7 +9,8 @@
 
 namespace dsc::flow {
 
-/// `until`: time over which a rotation makes its angle. Throws core::UsageError for a motion that can't be made.
+/// `until`: time over which a rotation makes its angle, and an offset its distance. Throws core::InputError for
+/// expressions that can't be read.
 Targets motion_targets(const MotionOptions& motion, const Eigen::AlignedBox3d& domain, double until);
 
 }  // namespace dsc::flow

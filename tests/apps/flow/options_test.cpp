@@ -61,7 +61,7 @@ TEST_CASE("a shape that is not known by name is a file; --velocity is what the m
     CHECK(*file.motion.distance == -0.1);
     CHECK(*parsed({"box", "--size", "2", "--motion", "translate", "--velocity", "1,0,0"})->motion.velocity ==
           Point3(1, 0, 0));
-    const std::string text = "x=-y;y=x;z=t";
+    const std::string text = "(-y, x, t)";
     CHECK(*parsed({"box", "--size", "1,2,3", "--motion", "expression", "--velocity", text})->motion.expressions ==
           text);
 }
