@@ -13,6 +13,8 @@
 #include <geodesic/torus.h>
 #include <geometry/predicates.h>
 #include <io/html_view.h>
+#include <motion/expression_field.h>
+#include <surface/sizing.h>
 
 #include <cmath>
 #include <iostream>
@@ -36,6 +38,18 @@ void small_libraries() {
     const Eigen::Vector2d a(0.1, 0.1), b(0.3, 0.3), c(0.7, 0.7);  // collinear: for the exact predicate
     check(dsc::geometry::orientation(a, b, c) == dsc::geometry::Sign::zero, "geometry");
     check(dsc::io::html_page({}).size() > 100'000, "io");
+}
+
+void move_and_measure_a_surface() {
+    using namespace dsc::motion;
+    const auto turn = expression_field<2>("(-y, x)");
+    check(turn({1, 2}, 0) == Vector<2>(-2, 1), "motion");
+    dsc::geometry::SurfaceData tetrahedron;
+    tetrahedron.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    dsc::surface::SizingParameters sizing{.length = 1, .min_length = 0.01};
+    sizing.edges_across = 2;
+    check(dsc::surface::wanted_lengths(tetrahedron, sizing).size() == 4, "surface");
 }
 
 void deform_a_square() {
@@ -71,6 +85,7 @@ void find_a_cut_locus(dsc::core::Observer& observer) {
 
 int main() {
     small_libraries();
+    move_and_measure_a_surface();
     deform_a_square();
     shoot_a_geodesic();
     dsc::apps::ProgressObserver observer(dsc::apps::ProgressMode::none);
