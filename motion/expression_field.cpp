@@ -7,13 +7,13 @@
 #include <cctype>
 #include <cmath>
 #include <memory>
-#include <mutex>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/errors.h"
+#include "core/pool.h"
 
 namespace dsc::motion {
 
@@ -88,7 +88,7 @@ double natural_logarithm(double x) { return std::log(x); }
 /// The expressions in muParser's bytecode with variables of its own: for one thread at a time.
 class Evaluator {
 public:
-    Evaluator(const std::vector<Piece>& pieces) : parsers_(pieces.size()) {
+    explicit Evaluator(const std::vector<Piece>& pieces) : parsers_(pieces.size()) {
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             mu::Parser& parser = parsers_[i];
             for (std::size_t k = 0; k < pieces.size(); ++k) parser.DefineVar(coordinates[k], &variables_[k]);
@@ -116,33 +116,6 @@ public:
 private:
     std::array<double, 4> variables_{0.5, 0.5, 0.5, 0.5};  // x, y, z, t
     std::vector<mu::Parser> parsers_;
-};
-
-/// As many evaluators as threads have ever asked at the same time.
-class Pool {
-public:
-    explicit Pool(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
-
-    std::unique_ptr<Evaluator> acquire() {
-        {
-            const std::lock_guard lock(mutex_);
-            if (!idle_.empty()) {
-                std::unique_ptr<Evaluator> evaluator = std::move(idle_.back());
-                idle_.pop_back();
-                return evaluator;
-            }
-        }
-        return std::make_unique<Evaluator>(pieces_);
-    }
-    void release(std::unique_ptr<Evaluator> evaluator) {
-        const std::lock_guard lock(mutex_);
-        idle_.push_back(std::move(evaluator));
-    }
-
-private:
-    std::vector<Piece> pieces_;
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<Evaluator>> idle_;
 };
 
 /// muParser knows assignments; a velocity must not change a variable.
@@ -183,15 +156,12 @@ template <int Dimension>
 VelocityField<Dimension> expression_field(std::string_view text, std::string_view source_name) {
     const Source source(text, source_name);
     std::vector<Piece> pieces = source.pieces(Dimension);
-    auto first = std::make_unique<Evaluator>(pieces);
-    for (std::size_t i = 0; i < pieces.size(); ++i) check_piece(source, pieces[i], i, *first);
-    auto pool = std::make_shared<Pool>(std::move(pieces));
-    pool->release(std::move(first));
-    return [pool](const Vector<Dimension>& x, double t) {
-        std::unique_ptr<Evaluator> evaluator = pool->acquire();
-        const Vector<Dimension> velocity = evaluator->evaluate<Dimension>(x, t);
-        pool->release(std::move(evaluator));
-        return velocity;
+    const Evaluator first(pieces);
+    for (std::size_t i = 0; i < pieces.size(); ++i) check_piece(source, pieces[i], i, first);
+    const auto evaluators = std::make_shared<core::Pool<Evaluator>>(
+        [pieces = std::move(pieces)] { return std::make_unique<Evaluator>(pieces); });
+    return [evaluators](const Vector<Dimension>& x, double t) {
+        return evaluators->use([&](Evaluator& evaluator) { return evaluator.evaluate<Dimension>(x, t); });
     };
 }
 

@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <mutex>
+#include <memory>
 #include <string>
 
 #include "core/assert.h"
+#include "core/pool.h"
 
 namespace dsc::geodesic::expression {
 
@@ -172,43 +173,21 @@ private:
 
 }  // namespace
 
-/// As many evaluators as threads have ever asked at the same time.
-class Program::Pool {
-public:
-    explicit Pool(Listing text) : listing(std::move(text)) { release(std::make_unique<Evaluator>(listing)); }
-
-    std::unique_ptr<Evaluator> acquire() {
-        {
-            const std::lock_guard lock(mutex_);
-            if (!idle_.empty()) {
-                std::unique_ptr<Evaluator> evaluator = std::move(idle_.back());
-                idle_.pop_back();
-                return evaluator;
-            }
-        }
-        return std::make_unique<Evaluator>(listing);
-    }
-    void release(std::unique_ptr<Evaluator> evaluator) {
-        const std::lock_guard lock(mutex_);
-        idle_.push_back(std::move(evaluator));
-    }
+struct Program::Compiled {
+    explicit Compiled(Listing text)
+        : listing(std::move(text)), evaluators([this] { return std::make_unique<Evaluator>(listing); }) {}
 
     const Listing listing;
-
-private:
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<Evaluator>> idle_;
+    core::Pool<Evaluator> evaluators;
 };
 
 Program::Program(const Graph& graph, std::vector<Multiple> outputs)
-    : pool_(std::make_unique<Pool>(Writer(graph, outputs).listing())) {}
+    : compiled_(std::make_unique<Compiled>(Writer(graph, outputs).listing())) {}
 Program::~Program() = default;
 
 void Program::evaluate(double u, double v, std::span<double> results) const {
-    DSC_ASSERT(results.size() == pool_->listing.outputs.size());
-    std::unique_ptr<Evaluator> evaluator = pool_->acquire();
-    evaluator->evaluate(pool_->listing, u, v, results);
-    pool_->release(std::move(evaluator));
+    DSC_ASSERT(results.size() == compiled_->listing.outputs.size());
+    compiled_->evaluators.use([&](Evaluator& evaluator) { evaluator.evaluate(compiled_->listing, u, v, results); });
 }
 
 }  // namespace dsc::geodesic::expression

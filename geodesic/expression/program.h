@@ -22,8 +22,8 @@ public:
     void evaluate(double u, double v, std::span<double> results) const;
 
 private:
-    class Pool;
-    std::unique_ptr<Pool> pool_;
+    struct Compiled;
+    std::unique_ptr<Compiled> compiled_;
 };
 
 }  // namespace dsc::geodesic::expression
