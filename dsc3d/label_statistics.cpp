@@ -4,33 +4,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "core/assert.h"
+#include "core/disjoint_sets.h"
 #include "dsc3d/complex/traversal.h"
 
 namespace dsc::dsc3d {
 
 namespace {
-
-class UnionFind {
-public:
-    explicit UnionFind(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    std::uint32_t root(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    /// The lower root stays, so that the result doesn't depend on the order.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a), b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 /// A face as it is seen from one of its tetrahedra.
 struct Side {
@@ -95,7 +77,7 @@ private:
 
     void join_at_faces() {
         for_each<FaceId>(complex_.face_capacity(), [&](FaceId f) {
-            if (!complex_.is_surface(f)) tets_.join(complex_.tets(f)[0].index(), complex_.tets(f)[1].index());
+            if (!complex_.is_surface(f)) tets_.unite(complex_.tets(f)[0].index(), complex_.tets(f)[1].index());
         });
     }
 
@@ -138,14 +120,14 @@ private:
     }
 
     void join(const Side& first, const Side& second, const EdgeRing& ring, int label) {
-        sides_.join(first.index(), second.index());
-        for (const VertexId v : {ring.a, ring.b}) corners_.join(corner(first, v), corner(second, v));
+        sides_.unite(first.index(), second.index());
+        for (const VertexId v : {ring.a, ring.b}) corners_.unite(corner(first, v), corner(second, v));
         --euler_[label];
     }
 
     void count() {
         for_each<TetId>(complex_.tet_capacity(), [&](TetId t) {
-            if (tets_.root(t.index()) == t.index()) ++labels_[complex_.label(t)].components;
+            if (tets_.find(t.index()) == t.index()) ++labels_[complex_.label(t)].components;
         });
         for_each<FaceId>(complex_.face_capacity(), [&](FaceId f) {
             if (!complex_.is_surface(f)) return;
@@ -154,18 +136,18 @@ private:
                 if (!t.is_valid()) continue;
                 const int label = complex_.label(t);
                 const std::uint32_t index = Side{f, k}.index();
-                if (sides_.root(index) == index) ++labels_[label].surfaces;
+                if (sides_.find(index) == index) ++labels_[label].surfaces;
                 ++euler_[label];
                 for (std::uint32_t i = 3 * index; i < 3 * index + 3; ++i)
-                    if (corners_.root(i) == i) ++euler_[label];
+                    if (corners_.find(i) == i) ++euler_[label];
             }
         });
     }
 
     const Mesh& mesh_;
     const Complex& complex_;
-    UnionFind tets_, sides_;
-    UnionFind corners_;  ///< of sides of faces: the vertices of the surfaces are their classes
+    core::DisjointSets tets_, sides_;
+    core::DisjointSets corners_;  ///< of sides of faces: the vertices of the surfaces are their classes
     std::map<int, LabelStatistics> labels_;
     std::map<int, std::int64_t> euler_;  ///< of the surface of each label
 };

@@ -3,10 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include "core/assert.h"
+#include "core/disjoint_sets.h"
 #include "geometry/predicates.h"
 
 namespace dsc::geometry {
@@ -25,23 +25,6 @@ bool is_collinear(const Point3& a, const Point3& b, const Point3& c) {
     }
     return true;
 }
-
-// Disjoint sets of numbers, each known by one of its members.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-    }
-
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void unite(std::uint32_t i, std::uint32_t j) { parent_[find(j)] = find(i); }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 // One side of a triangle.
 struct HalfEdge {
@@ -117,7 +100,7 @@ private:
         }
         std::ranges::sort(sides, std::less());
 
-        DisjointSets fans(3 * surface_.triangles.size());
+        core::DisjointSets fans(3 * surface_.triangles.size());
         std::size_t edges = 0;
         for (auto first = sides.begin(); first != sides.end(); ++edges) {
             auto last = first + 1;
@@ -136,7 +119,7 @@ private:
         return edges;
     }
 
-    void find_non_manifold_vertices(DisjointSets& fans) {
+    void find_non_manifold_vertices(core::DisjointSets& fans) {
         std::vector<bool> has_fan(surface_.vertices.size());
         for (const std::uint32_t i : kept_) {
             for (std::uint32_t k = 0; k < 3; ++k) {
@@ -152,7 +135,7 @@ private:
     }
 
     void count(std::size_t edges) {
-        DisjointSets connected(surface_.vertices.size());
+        core::DisjointSets connected(surface_.vertices.size());
         std::vector<bool> is_used(surface_.vertices.size());
         for (const std::uint32_t i : kept_) {
             const Triangle& t = surface_.triangles[i];

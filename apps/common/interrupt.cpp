@@ -24,6 +24,8 @@ void catch_interrupts() {
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    // A file beyond the limit of the user is an error of writing, to be reported like a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool is_interrupted() { return interrupted.load(std::memory_order_relaxed); }

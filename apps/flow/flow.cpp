@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "core/errors.h"
 #include "core/stopwatch.h"
 #include "io/number.h"
 
@@ -10,22 +11,39 @@ namespace dsc::flow {
 
 namespace {
 
-// Of the first target that is not a place.
-std::optional<std::string> problem(const dsc3d::Mesh& mesh, const std::vector<std::optional<Point3>>& targets,
-                                   double time) {
+void require_places(const dsc3d::Mesh& mesh, const std::vector<std::optional<Point3>>& targets, double time) {
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
         if (!targets[i] || targets[i]->allFinite()) continue;
         const Point3& p = mesh.position(dsc3d::VertexId(i));
-        return fmt::format("the velocity at vertex {} at ({:.6g}, {:.6g}, {:.6g}) is not finite at time {}", i, p.x(),
-                           p.y(), p.z(), io::number_text(time, 6));
+        throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is not finite at time {}",
+                                         i, p.x(), p.y(), p.z(), io::number_text(time, 6)));
     }
-    return std::nullopt;
 }
 
 void add_contacts(const dsc3d::StepReport& report, int step, double time, FlowResult& result) {
     for (const auto& contact : report.contacts)
         result.events.push_back(
             {.kind = "contact", .step = step, .time = time, .place = contact.place, .label = contact.label});
+}
+
+// Throws core::RunError, before anything has moved, when there are no targets.
+void take_step(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets,
+               const UnchangedTriangles& unchanged, FlowResult& result) {
+    const int step = result.steps.back().step + 1;
+    const double start = result.time.time(step - 1), time = result.time.time(step);
+    core::Stopwatch watch;
+    const std::vector<std::optional<Point3>> wanted = targets(mesh, start, time - start);
+    require_places(mesh, wanted, start);
+    const double targets_ms = 1e3 * watch.seconds();
+    watch = {};
+    const dsc3d::StepReport report = deformer.step(wanted);
+    const double deform_ms = 1e3 * watch.seconds();
+    watch = {};
+    StepRecord record = step_record(mesh, step, time, unchanged);
+    add_step(record, report);
+    add_contacts(report, step, time, result);
+    record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
+    result.steps.push_back(std::move(record));
 }
 
 }  // namespace
@@ -41,34 +59,23 @@ void run_flow(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targe
     result.end = FlowEnd::done;
     result.reason = "done";
     while (result.steps.back().step < result.time.count) {
-        const int step = result.steps.back().step + 1;
-        const double start = result.time.time(step - 1), time = result.time.time(step);
         if (observer.is_cancelled()) {
             result.end = FlowEnd::cancelled;
             result.reason = "stopped by the user";
             break;
         }
-        core::Stopwatch watch;
-        const std::vector<std::optional<Point3>> wanted = targets(mesh, start, time - start);
-        const double targets_ms = 1e3 * watch.seconds();
-        if (const auto bad = problem(mesh, wanted, start)) {
+        try {
+            take_step(mesh, deformer, targets, unchanged, result);
+        } catch (const core::RunError& error) {
             result.end = FlowEnd::stopped;
-            result.reason = *bad;
+            result.reason = error.what();
             break;
         }
-        watch = {};
-        const dsc3d::StepReport report = deformer.step(wanted);
-        const double deform_ms = 1e3 * watch.seconds();
-        watch = {};
-        StepRecord record = step_record(mesh, step, time, unchanged);
-        add_step(record, report);
-        add_contacts(report, step, time, result);
-        snapshots.add(mesh, step, time);
-        record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
-        observer.progress(
-            "flowing", static_cast<double>(step) / result.time.count,
-            fmt::format("step {}, {} tetrahedra, smallest angle {:.1f}", step, record.tets, record.min_dihedral));
-        result.steps.push_back(std::move(record));
+        const StepRecord& record = result.steps.back();
+        snapshots.add(mesh, record.step, record.time);
+        observer.progress("flowing", static_cast<double>(record.step) / result.time.count,
+                          fmt::format("step {}, {} tetrahedra, smallest angle {:.1f}", record.step, record.tets,
+                                      record.min_dihedral));
         if (result.steps.back().interface_faces == 0) {
             result.end = FlowEnd::vanished;
             result.reason = "the interface has vanished";

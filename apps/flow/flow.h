@@ -20,8 +20,8 @@ namespace dsc::flow {
 using Targets = std::function<std::vector<std::optional<Point3>>(const dsc3d::Mesh& mesh, double time, double dt)>;
 
 /// Steps from `result.steps.back()` on (or from the start, when there is none) and fills the rest of `result`. Ends
-/// early when the observer asks for it, no interface is left, or a target is not finite: then the mesh is in its last
-/// good state, and the result says why.
+/// early when the observer asks for it, no interface is left, or there are no targets, or one is not finite: then the
+/// mesh is in its last good state, and the result says why.
 void run_flow(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets, Snapshots& snapshots,
               core::Observer& observer, FlowResult& result);
 

@@ -24,6 +24,14 @@ using geometry::SurfaceData;
 
 namespace {
 
+// Of the vertices that have triangles.
+Box bounds(const SurfaceData& surface) {
+    Box box;
+    for (const auto& triangle : surface.triangles)
+        for (const std::uint32_t v : triangle) box.extend(surface.vertices[v]);
+    return box;
+}
+
 Box bounds(const std::vector<Point3>& points) {
     Box box;
     for (const Point3& p : points) box.extend(p);
@@ -75,7 +83,7 @@ template <class Surface>
 InitialMesh around(const Surface& surface, const SurfaceData& triangles, const ShapeOptions& options,
                    core::Observer& observer) {
     InitialMesh result;
-    result.domain = options.domain.value_or(default_domain(bounds(triangles.vertices)));
+    result.domain = options.domain.value_or(default_domain(bounds(triangles)));
     result.edge_length = mean_edge_length(triangles);
     result.data = dsc3d::tetrahedralize(surface, result.domain, {}, observer);
     return result;

@@ -19,6 +19,33 @@ namespace dsc::flow {
 
 namespace {
 
+// The natural name for going on from a result would be lost with it.
+void require_other_files(const Options& options) {
+    if (options.shape.shape != Shape::file) return;
+    const std::filesystem::path folder = options.folder;
+    for (const char* name : {"final.obj", "final.mesh"}) {
+        std::error_code absent;
+        if (std::filesystem::equivalent(options.shape.path, folder / name, absent))
+            throw core::UsageError(options.shape.path +
+                                   " would be overwritten by the result; choose another folder for -o");
+    }
+}
+
+// What an earlier run has left and this one does not replace would be taken for its own.
+void remove_earlier_series(const std::filesystem::path& folder) {
+    for (const char* name : {"series.pvd", "index.html"}) {
+        std::error_code absent;
+        std::filesystem::remove(folder / name, absent);
+    }
+}
+
+// The last name of the path, also of one that ends in a slash or is a dot.
+std::string name_of_folder(const std::filesystem::path& folder) {
+    std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+    if (path.filename().empty()) path = path.parent_path();
+    return path.filename().string();
+}
+
 void write_results(const Options& options, const dsc3d::Mesh& mesh, const FlowResult& result,
                    const Snapshots& snapshots) {
     const std::filesystem::path folder = options.folder;
@@ -27,8 +54,11 @@ void write_results(const Options& options, const dsc3d::Mesh& mesh, const FlowRe
     const std::string report = report_json(result, options.given).dump(1) + "\n";
     io::write_file(folder / "report.json", report);
     if (options.common.json) io::write_file(*options.common.json, report);
-    if (options.snapshots > 0)
-        io::write_html_page(folder / "index.html", html_page(result, snapshots, folder.filename().string()));
+    if (options.snapshots > 0) {
+        io::write_html_page(folder / "index.html", html_page(result, snapshots, name_of_folder(folder)));
+    } else {
+        remove_earlier_series(folder);
+    }
 }
 
 int run(int argc, const char* const* argv) {
@@ -39,6 +69,7 @@ int run(int argc, const char* const* argv) {
     if (options->is_resumed) throw core::UsageError("--resume is not there yet");
     if (options->topology != motion::TopologyPolicy::preserved)
         throw core::UsageError("--topology: only preserved is there yet; interfaces that meet are stopped");
+    require_other_files(*options);
     apps::ProgressObserver observer(options->common.progress);
     const InitialMesh initial = initial_mesh(options->shape, observer);
     FlowResult result{.domain = initial.domain,

@@ -168,17 +168,19 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.text("--velocity", texts.velocity, "x,y,z of translate; \"(-y, x, 0)\" in x, y, z, t of expression");
     line.heading("Time");
     line.number("--dt", options.time.dt, "of a step", {.above = 0});
-    line.number("--until", options.time.until, "time at the end", {.above = 0});
-    line.integer("--steps", steps, "number of steps (0: from --dt and --until)", {.at_least = 0});
+    line.number("--until", options.time.until, "time at the end (default 1; enright and vortex: their period)",
+                {.above = 0});
+    line.integer("--steps", steps, "number of steps (0: from --dt and --until, or 50)", {.at_least = 0});
     line.heading("Deformation");
     line.choice("--topology", texts.topology, all_names(topology_names),
-                "what may happen where the interface meets itself");
-    line.integer("--dimension", options.dimension, "2 or 3", {.at_least = 2, .at_most = 3});
-    line.text("--sizing", options.sizing, "edge lengths: uniform, curvature, thickness, or an expression in x, y, z");
+                "what may happen where the interface meets itself (only preserved is there yet)");
+    line.integer("--dimension", options.dimension, "2 or 3 (only 3 is there yet)", {.at_least = 2, .at_most = 3});
+    line.text("--sizing", options.sizing,
+              "edge lengths: uniform, curvature, thickness, or an expression in x, y, z (not there yet)");
     line.heading("Output");
     line.integer("--snapshots", options.snapshots, "of the interface in series.pvd and index.html, evenly spaced",
                  {.at_least = 0, .at_most = 10000});
-    line.flag("--resume", options.is_resumed, "go on from the checkpoint in the folder");
+    line.flag("--resume", options.is_resumed, "go on from the checkpoint in the folder (not there yet)");
     if (!line.parse(argc, argv)) return std::nullopt;
 
     options.common = line.common();

@@ -77,7 +77,7 @@ void add_step(StepRecord& record, const motion::StepReport<3>& report) {
     record.substeps = report.substeps;
     record.unfinished = report.unfinished.size();
     for (const auto& motion : report.unfinished)
-        record.largest_remainder = std::max(record.largest_remainder, motion.remaining.norm());
+        record.largest_remainder = std::max(record.largest_remainder, motion.remaining.stableNorm());
     record.counts = report.counts;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/flow/targets.h"
 
-#include <Eigen/Geometry>
 #include <numbers>
 #include <utility>
 
 #include "dsc3d/interface.h"
 #include "motion/expression_field.h"
 #include "motion/fields.h"
+#include "motion/rigid.h"
 #include "motion/runge_kutta.h"
 #include "surface/face_offsetting.h"
 #include "surface/implicit_curvature.h"
@@ -41,11 +41,14 @@ std::vector<std::optional<Point3>> placed(const dsc3d::Mesh& mesh, const dsc3d::
     return targets;
 }
 
-Targets along(motion::VelocityField<3> velocity) {
-    return [flow = motion::RungeKuttaFlow<3>(std::move(velocity))](const dsc3d::Mesh& mesh, double time, double dt) {
+template <class Flow>
+Targets along(Flow flow) {
+    return [flow = std::move(flow)](const dsc3d::Mesh& mesh, double time, double dt) {
         return mapped(mesh, [&](const Point3& p) -> Point3 { return flow.at(p, time, time + dt); });
     };
 }
+
+using RungeKutta = motion::RungeKuttaFlow<3>;
 
 // Thesis 4.4.1.2, with the semi-implicit step, which is stable for every dt.
 std::vector<std::optional<Point3>> curvature_targets(const dsc3d::Mesh& mesh, double, double dt) {
@@ -71,24 +74,20 @@ std::vector<std::optional<Point3>> offset_targets(const dsc3d::Mesh& mesh, doubl
 Targets motion_targets(const MotionOptions& motion, const Eigen::AlignedBox3d& domain, double until) {
     switch (motion.motion) {
         case Motion::rotate: {
-            const Point3 about = motion.about.value_or(domain.center());
             const double speed = motion.angle * std::numbers::pi / 180 / until;
-            return [about, speed, axis = motion.axis](const dsc3d::Mesh& mesh, double, double dt) {
-                const Eigen::Matrix3d turn = Eigen::AngleAxisd(speed * dt, axis.normalized()).toRotationMatrix();
-                return mapped(mesh, [&](const Point3& p) -> Point3 { return about + turn * (p - about); });
-            };
+            return along(motion::Rotation<3>({motion.about.value_or(domain.center()), motion.axis, speed}));
         }
         case Motion::curvature: return curvature_targets;
         case Motion::offset:
             return [speed = *motion.distance / until](const dsc3d::Mesh& mesh, double, double dt) {
                 return offset_targets(mesh, speed * dt);
             };
-        case Motion::enright: return along(motion::enright_deformation(motion.period));
-        case Motion::vortex: return along(motion::vortex_in_cube(motion.period));
-        case Motion::translate: return along(motion::translation_field<3>(*motion.velocity));
+        case Motion::enright: return along(RungeKutta(motion::enright_deformation(motion.period)));
+        case Motion::vortex: return along(RungeKutta(motion::vortex_in_cube(motion.period)));
+        case Motion::translate: return along(motion::Translation<3>(*motion.velocity));
         case Motion::expression: break;
     }
-    return along(motion::expression_field<3>(*motion.expressions));
+    return along(RungeKutta(motion::expression_field<3>(*motion.expressions)));
 }
 
 }  // namespace dsc::flow

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the motion asked for to the targets of a step. Source: thesis 4.4.1. Guarantee: a rotation takes each vertex
-// along its arc, by the angle of the step; velocities are integrated by one Runge-Kutta step of order 4. Cost: linear
+// From the motion asked for to the targets of a step. Source: thesis 4.4.1. Guarantee: a rotation turns each vertex
+// by the angle of the step; velocities are integrated by one Runge-Kutta step of order 4. Cost: linear
 // in the mesh, but for curvature flow, which solves a sparse system over the interface.
 #pragma once
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/flow/time_steps.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/assert.h"
@@ -23,11 +24,13 @@ TimeSteps time_steps(const TimeOptions& options, const MotionOptions& motion) {
     DSC_ASSERT(!(options.dt && options.until && options.steps));
     TimeSteps result;
     if (options.dt && options.steps) {
+        if (!std::isfinite(*options.dt * *options.steps))
+            throw core::UsageError("--dt: times --steps is beyond all numbers");
         result = {.dt = *options.dt, .until = *options.dt * *options.steps, .count = *options.steps};
     } else {
         result.until = options.until.value_or(default_end(motion));
         if (options.dt) {
-            result.dt = *options.dt;
+            result.dt = std::min(*options.dt, result.until);
             // A remainder below rounding is no step of its own.
             const double count = std::ceil(result.until / result.dt * (1 - 1e-12));
             if (count > most_steps) throw core::UsageError("--dt: that would be more than 10000000 steps");

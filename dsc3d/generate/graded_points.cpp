@@ -18,6 +18,8 @@ namespace {
 using Place = std::array<std::int64_t, 3>;
 
 constexpr double max_points = 0x1p22;
+constexpr double max_depth = 30;
+constexpr const char* too_many = "the edges of the surface are too short for the box: more than 2^22 points";
 /// The coarsest leaves are at most this share of the shortest side of the box.
 constexpr double coarsest_share = 0.25;
 
@@ -29,43 +31,50 @@ struct PlaceHash {
     }
 };
 
-// Points of which none is nearer to another one than that one's radius when it came.
+// Points of which none is nearer to another one than that one's radius when it came. Radii differ by the ratio of the
+// box to the edges of the surface: there is a grid of every size, and a point is looked for in the one of its radius.
 class Disks {
 public:
-    explicit Disks(double cell) : cell_(cell) {}
+    Disks(double cell, int grids) : cell_(cell), grids_(static_cast<std::size_t>(grids)) {}
 
     bool try_add(const Point3& p, double radius) {
-        const Place low = cell_of(p.array() - radius), high = cell_of(p.array() + radius);
+        std::size_t level = 0;
+        while (level + 1 < grids_.size() && size(level) < radius) ++level;
+        const Place low = cell_of(p.array() - radius, level), high = cell_of(p.array() + radius, level);
         Place i;
         for (i[0] = low[0]; i[0] <= high[0]; ++i[0])
             for (i[1] = low[1]; i[1] <= high[1]; ++i[1])
                 for (i[2] = low[2]; i[2] <= high[2]; ++i[2]) {
-                    const auto found = cells_.find(i);
-                    if (found == cells_.end()) continue;
+                    const auto found = grids_[level].find(i);
+                    if (found == grids_[level].end()) continue;
                     for (const Point3& q : found->second)
                         if ((p - q).squaredNorm() < radius * radius) return false;
                 }
-        cells_[cell_of(p)].push_back(p);
+        for (std::size_t k = 0; k < grids_.size(); ++k) grids_[k][cell_of(p, k)].push_back(p);
         return true;
     }
 
 private:
-    Place cell_of(const Point3& p) const {
-        const Eigen::Vector3d i = (p / cell_).array().floor();
+    double size(std::size_t level) const { return std::ldexp(cell_, static_cast<int>(level)); }
+    Place cell_of(const Point3& p, std::size_t level) const {
+        const Eigen::Vector3d i = (p / size(level)).array().floor();
         return {static_cast<std::int64_t>(i.x()), static_cast<std::int64_t>(i.y()), static_cast<std::int64_t>(i.z())};
     }
 
     double cell_;
-    std::unordered_map<Place, std::vector<Point3>, PlaceHash> cells_;
+    std::vector<std::unordered_map<Place, std::vector<Point3>, PlaceHash>> grids_;
 };
 
 class Octree {
 public:
-    Octree(const Eigen::AlignedBox3d& box, const Sizing& sizing, const GradedPointsParameters& parameters)
-        : box_(box), sizing_(sizing), parameters_(parameters) {
+    Octree(const Eigen::AlignedBox3d& box, const Sizing& sizing, core::Observer& observer,
+           const GradedPointsParameters& parameters)
+        : box_(box), sizing_(sizing), observer_(observer), parameters_(parameters) {
         const double finest = parameters.leaf * sizing.least_edge_length();
         const double side = box.sizes().minCoeff();
-        depth_ = std::max(0, static_cast<int>(std::floor(std::log2(coarsest_share * side / finest))));
+        const double depth = std::floor(std::log2(coarsest_share * side / finest));
+        if (!(depth <= max_depth)) fail("the box is more than 2^30 times as large as the edges of the surface");
+        depth_ = std::max(0, static_cast<int>(depth));
         const double root = std::min(finest * std::exp2(depth_), side);
         for (std::size_t k = 0; k < 3; ++k) {
             roots_[k] = static_cast<std::int64_t>(std::max(1.0, std::round(box.sizes()[index(k)] / root)));
@@ -73,15 +82,16 @@ public:
         }
         const double roots =
             static_cast<double>(roots_[0]) * static_cast<double>(roots_[1]) * static_cast<double>(roots_[2]);
-        if (roots > max_points) fail();
+        if (roots > max_points) fail(too_many);
     }
 
     GradedPoints points() {
         divide_roots();
         std::ranges::stable_sort(candidates_, {}, [](const Candidate& c) { return std::pair(c.priority, c.size); });
-        Disks disks(box_.sizes()[0] / static_cast<double>(size_[0] / 2));
+        Disks disks(box_.sizes()[0] / static_cast<double>(size_[0] / 2), depth_ + 1);
         GradedPoints result;
         for (const Candidate& candidate : candidates_) {
+            check_cancelled();
             const Point3 p = position(candidate.place);
             const Sizing::Answer wanted = sizing_.at(p);
             const bool is_inside = candidate.priority == 3;
@@ -100,8 +110,9 @@ private:
     };
 
     static Eigen::Index index(std::size_t k) { return static_cast<Eigen::Index>(k); }
-    [[noreturn]] static void fail() {
-        throw core::UsageError("the edges of the surface are too short for the box: more than 2^22 points");
+    [[noreturn]] static void fail(const char* why) { throw core::UsageError(why); }
+    void check_cancelled() {
+        if (++visited_ % 1024 == 0) observer_.check_cancelled();
     }
 
     Point3 position(const Place& i) const {
@@ -124,6 +135,7 @@ private:
 
     // A leaf is as small as the least edge length wanted in it asks for.
     void divide(const Place& low, std::int64_t size) {
+        check_cancelled();
         const Place middle = {low[0] + size / 2, low[1] + size / 2, low[2] + size / 2};
         const Eigen::Vector3d diagonal = position({low[0] + size, low[1] + size, low[2] + size}) - position(low);
         const Sizing::Answer wanted = sizing_.at(position(middle));
@@ -148,7 +160,7 @@ private:
     }
 
     void add(const Place& place, std::int64_t size) {
-        if (static_cast<double>(candidates_.size()) > max_points) fail();
+        if (static_cast<double>(candidates_.size()) > max_points) fail(too_many);
         if (!seen_.insert(place).second) return;
         int priority = 3;
         for (std::size_t k = 0; k < 3; ++k) priority -= place[k] == 0 || place[k] == size_[k] ? 1 : 0;
@@ -157,7 +169,9 @@ private:
 
     Eigen::AlignedBox3d box_;
     const Sizing& sizing_;
+    core::Observer& observer_;
     GradedPointsParameters parameters_;
+    std::uint64_t visited_ = 0;
     int depth_ = 0;
     Place roots_ = {}, size_ = {};
     std::vector<Candidate> candidates_;
@@ -166,9 +180,9 @@ private:
 
 }  // namespace
 
-GradedPoints graded_points(const Eigen::AlignedBox3d& box, const Sizing& sizing,
+GradedPoints graded_points(const Eigen::AlignedBox3d& box, const Sizing& sizing, core::Observer& observer,
                            const GradedPointsParameters& parameters) {
-    return Octree(box, sizing, parameters).points();
+    return Octree(box, sizing, observer, parameters).points();
 }
 
 }  // namespace dsc::dsc3d

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "core/observer.h"
 #include "dsc3d/generate/sizing.h"
 
 namespace dsc::dsc3d {
@@ -25,8 +26,9 @@ struct GradedPoints {
     std::vector<Point3> inside;
 };
 
-/// Throws core::UsageError when that would be more than 2^22 points.
-GradedPoints graded_points(const Eigen::AlignedBox3d& box, const Sizing& sizing,
+/// Throws core::UsageError when that would be more than 2^22 points, or the box is more than 2^30 times as large as the
+/// edges of the surface, core::Cancelled when the observer asks for it.
+GradedPoints graded_points(const Eigen::AlignedBox3d& box, const Sizing& sizing, core::Observer& observer,
                            const GradedPointsParameters& parameters = {});
 
 }  // namespace dsc::dsc3d

@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -29,6 +30,17 @@ using VertexFlags = SurfaceMesh::Property_map<SurfaceMesh::Vertex_index, bool>;
 
 void require(bool condition, const char* what) {
     if (!condition) throw core::UsageError(what);
+}
+
+constexpr double max_triangles = 1e7;
+
+double area(const SurfaceData& surface) {
+    double sum = 0;
+    for (const auto& [a, b, c] : surface.triangles) {
+        const Eigen::Vector3d& p = surface.vertices[a];
+        sum += (surface.vertices[b] - p).cross(surface.vertices[c] - p).norm() / 2;
+    }
+    return sum;
 }
 
 SurfaceMesh surface_mesh(const SurfaceData& surface) {
@@ -92,6 +104,8 @@ SurfaceData remeshed(const SurfaceData& surface, const RemeshParameters& paramet
     const geometry::SurfaceCheck check = geometry::check_surface(surface);
     require(check.degenerate_triangles.empty() && check.is_closed() && check.is_manifold() && check.is_oriented(),
             "the surface to be remeshed is not a closed, oriented manifold of proper triangles");
+    require(area(surface) <= max_triangles * std::sqrt(3.0) / 4 * parameters.edge_length * parameters.edge_length,
+            "edge_length: that would be more than 1e7 triangles");
     SurfaceMesh mesh = surface_mesh(surface);
     EdgeFlags is_sharp = mesh.add_property_map<SurfaceMesh::Edge_index, bool>("e:is_sharp", false).first;
     VertexFlags is_corner = mesh.add_property_map<SurfaceMesh::Vertex_index, bool>("v:is_corner", false).first;

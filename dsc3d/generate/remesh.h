@@ -21,8 +21,9 @@ struct RemeshParameters {
     void validate() const;
 };
 
-/// Without labels. Throws core::UsageError for invalid parameters and when the surface is not closed, manifold and
-/// oriented, core::RunError when the result meets itself because the edges are longer than the surface is thick.
+/// Without labels. Throws core::UsageError for invalid parameters, more than 1e7 triangles, and when the surface is not
+/// closed, manifold and oriented, core::RunError when the result meets itself because the edges are longer than the
+/// surface is thick.
 geometry::SurfaceData remeshed(const geometry::SurfaceData& surface, const RemeshParameters& parameters);
 
 }  // namespace dsc::dsc3d

@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "core/errors.h"
 
@@ -89,7 +92,22 @@ std::string last_line(const std::string& path) {
     return last;
 }
 
-void run(const std::string& program, std::vector<std::string> arguments, const std::string& log) {
+// Looks every few milliseconds, so that a run can be stopped by its observer alone.
+int wait_for(pid_t process, core::Observer& observer) {
+    int status = 0;
+    while (::waitpid(process, &status, WNOHANG) == 0) {
+        if (observer.is_cancelled()) {
+            ::kill(process, SIGKILL);
+            ::waitpid(process, &status, 0);
+            throw core::Cancelled();
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return status;
+}
+
+void run(const std::string& program, std::vector<std::string> arguments, const std::string& log,
+         core::Observer& observer) {
     arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -104,11 +122,13 @@ void run(const std::string& program, std::vector<std::string> arguments, const s
     if (problem != 0)
         throw core::RunError("the program " + program + " can't be run (" + std::strerror(problem) +
                              "); it makes tetrahedra between surfaces: install the package tetgen");
-    int status = 0;
-    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw core::RunError("the program " + program + " failed: " + last_line(log));
+    const int status = wait_for(process, observer);
+    if (WIFSIGNALED(status))
+        throw core::RunError("the program " + program + " was ended by signal " + std::to_string(WTERMSIG(status)) +
+                             " (" + ::strsignal(WTERMSIG(status)) + ")");
+    if (WEXITSTATUS(status) != 0)
+        throw core::RunError("the program " + program + " failed with exit code " +
+                             std::to_string(WEXITSTATUS(status)) + ": " + last_line(log));
 }
 
 // The next line that holds data.
@@ -159,12 +179,12 @@ geometry::TetData read(const std::string& node, const std::string& ele, const Te
 
 }  // namespace
 
-geometry::TetData tetgen(const TetGenInput& input, const std::string& program) {
+geometry::TetData tetgen(const TetGenInput& input, const std::string& program, core::Observer& observer) {
     const TemporaryFolder folder;
     write(folder.file("in.poly"), poly_text(input));
     write(folder.file("in.a.node"), node_text(input.free_points));
     // Boundary kept (Y), coplanar facets not joined (M), points inserted (i), no file of faces (F).
-    run(program, {"-pYMiFQ", folder.file("in.poly")}, folder.file("log"));
+    run(program, {"-pYMiFQ", folder.file("in.poly")}, folder.file("log"), observer);
     return read(folder.file("in.1.node"), folder.file("in.1.ele"), input);
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/observer.h"
 #include "geometry/predicates.h"
 #include "geometry/tet_data.h"
 
@@ -32,7 +33,8 @@ struct TetGenInput {
     std::vector<Point3> free_points;  ///< inside
 };
 
-/// Throws core::RunError when `program`, a name to be found in PATH or a path, can't be run, or fails.
-geometry::TetData tetgen(const TetGenInput& input, const std::string& program = "tetgen");
+/// Throws core::RunError when `program`, a name to be found in PATH or a path, can't be run, or fails; core::Cancelled
+/// when the observer asks for it: then the program is ended.
+geometry::TetData tetgen(const TetGenInput& input, const std::string& program, core::Observer& observer);
 
 }  // namespace dsc::dsc3d

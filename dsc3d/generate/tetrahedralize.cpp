@@ -37,8 +37,13 @@ void require(bool condition, const char* what) {
 
 // ---------------------------------------------------------------------------------------------------------- the input
 
+/// Its cube can still be squared.
+constexpr double max_coordinate = 1e100;
+
 void require_usable(const SurfaceData& surface, const Eigen::AlignedBox3d& box) {
     require(box.sizes().allFinite() && box.sizes().minCoeff() > 0, "the box has to have a positive size");
+    require(box.min().cwiseAbs().maxCoeff() <= max_coordinate && box.max().cwiseAbs().maxCoeff() <= max_coordinate,
+            "a coordinate of the box is beyond 1e100, where volumes overflow; scale the surface");
     require(!surface.triangles.empty(), "the surface has no triangles");
     for (const Triangle& triangle : surface.triangles) {
         for (const std::uint32_t v : triangle) {
@@ -106,7 +111,8 @@ PlaneFacet side(const std::vector<Point3>& points, std::uint32_t first, const Ei
     return facet;
 }
 
-TetGenInput tetgen_input(const SurfaceData& surface, const Eigen::AlignedBox3d& box, double growth) {
+TetGenInput tetgen_input(const SurfaceData& surface, const Eigen::AlignedBox3d& box, double growth,
+                         core::Observer& observer) {
     TetGenInput input;
     std::vector<std::uint32_t> number(surface.vertices.size(), std::numeric_limits<std::uint32_t>::max());
     for (const Triangle& triangle : surface.triangles) {
@@ -120,7 +126,7 @@ TetGenInput tetgen_input(const SurfaceData& surface, const Eigen::AlignedBox3d& 
         }
     }
     const auto first = static_cast<std::uint32_t>(input.points.size());
-    GradedPoints points = graded_points(box, Sizing(surface, growth));
+    GradedPoints points = graded_points(box, Sizing(surface, growth), observer);
     input.points.insert(input.points.end(), points.on_box.begin(), points.on_box.end());
     input.free_points = std::move(points.inside);
     for (Eigen::Index axis = 0; axis < 3; ++axis)
@@ -290,8 +296,8 @@ TetData tetrahedralization(const SurfaceData& surface, const Eigen::AlignedBox3d
     parameters.validate();
     require_usable(surface, box);
     observer.progress("making tetrahedra", -1, "");
-    const TetGenInput input = tetgen_input(surface, box, parameters.growth);
-    TetData data = tetgen(input, parameters.tetgen);
+    const TetGenInput input = tetgen_input(surface, box, parameters.growth, observer);
+    TetData data = tetgen(input, parameters.tetgen, observer);
     const Regions regions = RegionFinder(data, input.triangles, input.facets.front().outline.front()).run();
     const std::vector<int> labels = labels_of(regions);
     for (const std::uint32_t region : regions.of_tet) data.labels.push_back(labels[region]);

@@ -16,7 +16,8 @@ class SpatialOrder {
 public:
     /// All handles of the mesh change, attributes follow. The mesh has to stay at its address.
     explicit SpatialOrder(Mesh& mesh);
-    /// Once more. Precondition: no vertex was added meanwhile.
+    /// Once more. Precondition: no vertex was added meanwhile. Where it is not called, as when an exception ends the run,
+    /// the mesh is as valid as before, in the new numbering.
     void restore();
 
 private:

@@ -6,6 +6,7 @@
 
 #include "apps/flow/initial_mesh.h"
 #include "apps/flow/targets.h"
+#include "core/errors.h"
 #include "dsc3d/interface.h"
 #include "tests/support/temporary_folder.h"
 
@@ -94,4 +95,18 @@ TEST_CASE("a run that is stopped keeps the steps made, and one whose targets are
     CHECK_THAT(run.result.reason, Catch::Contains("vertex") && Catch::Contains("not finite"));
     CHECK(run.result.steps.size() == 3);
     CHECK(run.folder.content().size() == 3);
+}
+
+TEST_CASE("a run whose targets can't be computed ends in its last good state") {
+    Run run(20);
+    core::Observer observer;
+    const Targets failing = [](const dsc3d::Mesh& mesh, double time, double) {
+        if (time >= 0.1) throw core::RunError("no solution");
+        return std::vector<std::optional<Point3>>(mesh.complex().vertex_capacity());
+    };
+    run.go(failing, observer);
+    CHECK(run.result.end == FlowEnd::stopped);
+    CHECK(run.result.reason == "no solution");
+    CHECK(run.result.steps.size() == 3);
+    CHECK(validate(*run.mesh).empty());
 }

@@ -67,4 +67,28 @@ TEST_CASE("bad input is refused in one line") {
     io::write_surface_mesh(open, surface);
     check_refused({open, "-o", out}, "open edge");
     check_refused({open, "--edge-length", "0", "-o", out}, "--edge-length");
+    const std::string box = (folder / "box.off").string();
+    io::write_surface_mesh(box, dsc3d::box_surface({geometry::Point3(0, 0, 0), geometry::Point3(1, 1, 1)}, 0.5));
+    check_refused({box, "--edge-length", "1e-7", "-o", out}, "edge_length");
+    check_refused({"sphere", "--domain", "-1e200,-1e200,-1e200,1e200,1e200,1e200", "-o", out}, "1e100");
+    check_refused({"sphere", "--radius", "1e-12", "-o", out}, "times as large");
+    check_refused({"sphere", "--topology", "adaptive", "-o", out}, "--topology");
+}
+
+TEST_CASE("going on from a result needs another folder, and an earlier series does not outlive a run without one") {
+    const TemporaryFolder folder;
+    const std::filesystem::path out = folder / "out";
+    const std::vector<std::string> coarse = {
+        "labelled-block", "--edge-length", "0.2", "--angle", "2", "--steps", "1", "-o", out.string() + "/"};
+    REQUIRE(run_program(DSC_FLOW_PROGRAM, coarse).exit_code == 0);
+    CHECK_THAT(io::read_file(out / "index.html"), Catch::Contains("<title>out"));
+    const std::string before = io::read_file(out / "final.mesh");
+    check_refused({(out / "final.mesh").string(), "--angle", "2", "--steps", "1", "-o", out.string()}, "overwritten");
+    CHECK(io::read_file(out / "final.mesh") == before);
+    std::vector<std::string> without = coarse;
+    without.insert(without.end(), {"--snapshots", "0"});
+    REQUIRE(run_program(DSC_FLOW_PROGRAM, without).exit_code == 0);
+    CHECK(!std::filesystem::exists(out / "series.pvd"));
+    CHECK(!std::filesystem::exists(out / "index.html"));
+    CHECK(std::filesystem::exists(out / "final.mesh"));
 }

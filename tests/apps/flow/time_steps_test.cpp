@@ -35,4 +35,8 @@ TEST_CASE("a step that divides the time only up to rounding gives no step more")
         CHECK(steps.time(count) == 1);
     }
     CHECK_THROWS_AS(time_steps({.dt = 1e-300}, {}), core::UsageError);
+    CHECK_THROWS_AS(time_steps({.dt = 1e308, .steps = 5}, {}), core::UsageError);
+    const TimeSteps one = time_steps({.dt = 5, .until = 1}, {});
+    CHECK(one.count == 1);
+    CHECK(one.dt == 1);
 }

@@ -38,7 +38,8 @@ TEST_CASE("sizes are the surface's own on it, and grow with the distance") {
 TEST_CASE("graded points keep their distances from the surface and from each other and leave no gaps") {
     const Sizing sizing(ball, 1);
     const GradedPointsParameters parameters;
-    const GradedPoints points = graded_points(box, sizing);
+    core::Observer observer;
+    const GradedPoints points = graded_points(box, sizing, observer);
     for (const Point3& p : points.inside) {
         REQUIRE((p.array() > box.min().array()).all());
         REQUIRE((p.array() < box.max().array()).all());
@@ -71,6 +72,20 @@ TEST_CASE("graded points keep their distances from the surface and from each oth
 }
 
 TEST_CASE("a surface too fine for its box is refused") {
-    CHECK_THROWS_AS(graded_points({Point3(-100, -100, -0.001), Point3(100, 100, 0.001)}, Sizing(ball, 0)),
+    core::Observer observer;
+    CHECK_THROWS_AS(graded_points({Point3(-100, -100, -0.001), Point3(100, 100, 0.001)}, Sizing(ball, 0), observer),
                     core::UsageError);
+    const Point3 far = Point3::Constant(1e90);
+    CHECK_THROWS_AS(graded_points({-far, far}, Sizing(ball, 1), observer), core::UsageError);
+}
+
+TEST_CASE("a box that is large for its surface takes few more points, and a long search can be stopped") {
+    core::Observer observer;
+    const GradedPoints points =
+        graded_points({Point3::Constant(-1e6), Point3::Constant(1e6)}, Sizing(ball, 1), observer);
+    CHECK(all_points(points).size() < 30 * all_points(graded_points(box, Sizing(ball, 1), observer)).size());
+    class Cancelled final : public core::Observer {
+        bool is_cancelled() const override { return true; }
+    } cancelled;
+    CHECK_THROWS_AS(graded_points(box, Sizing(ball, 0.1), cancelled), core::Cancelled);
 }

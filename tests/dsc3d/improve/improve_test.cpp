@@ -241,10 +241,13 @@ TEST_CASE("vertices keep their numbers through a run in spatial order, which is 
     const TetData data = sample(5, 2, seed(7));
     const ImproveParameters parameters = {.keeps_vertices = true};
     const auto run = [&](Mesh& mesh, std::uint32_t many_vertices) {
+        dsc::core::Attribute<VertexId, std::uint32_t> number(mesh.complex().vertex_attributes());
+        for (const VertexId v : vertices(mesh.complex())) number[v] = v.index();
         dsc::core::Observer silent;
         const StopCondition stop(silent, {});
         ImproveRun improvement(mesh, parameters, silent, stop);
         ThesisSchedule({.many_vertices = many_vertices}).run(improvement);
+        for (const VertexId v : vertices(mesh.complex())) REQUIRE(number[v] == v.index());
         require_valid(mesh);
     };
     Mesh mesh(data), other(data);
