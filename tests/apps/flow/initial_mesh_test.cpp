@@ -33,7 +33,7 @@ dsc3d::Mesh made(const ShapeOptions& options) {
 
 }  // namespace
 
-TEST_CASE("every shape by name has a mesh of good angles with its defaults") {
+TEST_CASE("every shape by name has a mesh of good angles with its defaults", "[slow]") {
     struct Expected {
         Shape shape;
         std::size_t labels;
@@ -53,7 +53,7 @@ TEST_CASE("every shape by name has a mesh of good angles with its defaults") {
     }
 }
 
-TEST_CASE("two spheres are one label, the sphere of the defaults has 1280 triangles") {
+TEST_CASE("two spheres are one label, the sphere of the defaults has 1280 triangles", "[slow]") {
     const auto statistics = dsc3d::label_statistics(made({.shape = Shape::two_spheres, .gap = 0.1}));
     REQUIRE(statistics.size() == 2);
     CHECK(statistics[1].components == 2);

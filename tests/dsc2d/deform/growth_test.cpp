@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A distance circle that grows until it has met itself everywhere (thesis 5.2), on flat tori, where the result is known,
-// and on a torus of revolution, where the front has cusps.
+// A distance circle that grows until it has met itself everywhere (thesis 5.2), on flat tori, where the result is
+// known, and on a torus of revolution, where the front has cusps.
 #include <chrono>
 #include <functional>
 
@@ -125,7 +125,8 @@ void check_flat(const Eigen::Matrix2d& periods, double spacing, int cells) {
         const Point2 gap = complex.position(contact.b) + period - complex.position(contact.a);
         REQUIRE(gap.norm() <= 0.26 * spacing);
         // The two are equally far from the centre, up to a step of each side and the gap, and so lie near the bisector.
-        const double a = (complex.position(contact.a) - centre).norm(), b = (complex.position(contact.b) - centre).norm();
+        const double a = (complex.position(contact.a) - centre).norm(),
+                     b = (complex.position(contact.b) - centre).norm();
         REQUIRE(std::abs(a - b) < 1.26 * spacing);
         REQUIRE(std::abs((contact.place - centre).dot(period) / period.norm() - 0.5 * period.norm()) < spacing);
         // Bisectors of the Dirichlet cell only belong to the shortest vectors.
@@ -153,7 +154,7 @@ TEST_CASE("a front on the hexagonal torus meets itself on the sides of the Diric
     for (const double spacing : {0.1, 0.08}) check_flat(periods, spacing, 3);
 }
 
-TEST_CASE("fronts on oblique tori come to an end") {
+TEST_CASE("fronts on oblique tori come to an end", "[slow]") {
     for (const double shear : {0.3, 1.1, 2.0, 3.0})
         for (const double height : {2.0, 3.3, 5.0, 8.0}) {
             Eigen::Matrix2d periods;
@@ -175,13 +176,15 @@ TEST_CASE("a front on a torus of revolution, past its conjugate points") {
         using State = Eigen::Vector4d;
         const auto w = [](double v) { return outer + std::cos(v); };
         const auto rate = [&](const State& s) {
-            return State(s[2], s[3], 2 * std::sin(s[1]) / w(s[1]) * s[2] * s[3], -w(s[1]) * std::sin(s[1]) * s[2] * s[2]);
+            return State(s[2], s[3], 2 * std::sin(s[1]) / w(s[1]) * s[2] * s[3],
+                         -w(s[1]) * std::sin(s[1]) * s[2] * s[2]);
         };
         State s(centre.x(), centre.y(), std::cos(theta) / w(centre.y()), std::sin(theta));
         const int pieces = 1 + static_cast<int>(distance / 0.1);
         const double dt = distance / pieces;
         for (int i = 0; i < pieces; ++i) {
-            const State k1 = rate(s), k2 = rate(s + 0.5 * dt * k1), k3 = rate(s + 0.5 * dt * k2), k4 = rate(s + dt * k3);
+            const State k1 = rate(s), k2 = rate(s + 0.5 * dt * k1), k3 = rate(s + 0.5 * dt * k2),
+                        k4 = rate(s + dt * k3);
             s += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         }
         return Point2(s[0], s[1]);

@@ -82,7 +82,8 @@ double enclosed(const geometry::SurfaceData& surface) { return *geometry::check_
 
 }  // namespace
 
-TEST_CASE("every triangle of a surface is kept, nothing else separates labels, and all angles are 15 degrees or more") {
+TEST_CASE("every triangle of a surface is kept, nothing else separates labels, and all angles are 15 degrees or more",
+          "[slow]") {
     const std::vector<std::pair<const char*, geometry::SurfaceData>> surfaces = {
         {"sphere", icosphere(centre, 0.3, 8)},
         {"small sphere aside", icosphere(Point3(0.35, 0.35, 0.35), 0.15, 8)},

@@ -82,7 +82,8 @@ TetData shaken_box(double reach, Random& random) {
 
 }  // namespace
 
-TEST_CASE("smoothing finds places as good as those of a fine grid around them, and nearly always of the whole star") {
+TEST_CASE("smoothing finds places as good as those of a fine grid around them, and nearly always of the whole star",
+          "[slow]") {
     // Fine gains, and as many steps as that takes, so that the place is what is judged and not the patience.
     const SmoothingParameters patient = {.max_steps = 200, .least_gain = 1e-5};
     std::map<VertexMotion, int> count;
