@@ -53,9 +53,16 @@ double RatedMesh::worst_quality(std::span<const TetId> tets) const {
 }
 
 bool RatedMesh::apply(const Proposal& proposal) {
-    for (const NewTet& tet : proposal.added)
-        if (!mesh_->is_positive(tet.vertices)) return false;
+    const VertexId moved = proposal.moved;
+    const Point3 before = moved.is_valid() ? position(moved) : Point3::Zero();
+    if (moved.is_valid()) mesh_->set_position(moved, proposal.place);
+    for (const NewTet& tet : proposal.added) {
+        if (mesh_->is_positive(tet.vertices)) continue;
+        if (moved.is_valid()) mesh_->set_position(moved, before);
+        return false;
+    }
     if (transaction_.is_open()) {
+        if (moved.is_valid()) transaction_.note_move(moved, before);
         for (const TetId t : proposal.removed) transaction_.note_removal(*mesh_, surface_, t, quality_[t]);
         if (proposal.gone.is_valid())
             transaction_.note_vertex_removal(*mesh_, surface_, proposal.gone, longest_edge_[proposal.gone]);

@@ -37,7 +37,9 @@ struct Proposal {
     std::vector<NewTet> added;
     /// Patches of the surface faces that come, with their vertices in any order.
     std::vector<SurfaceFace> surface;
-    VertexId gone;  ///< the vertex that no tetrahedron has afterwards, if there is one
+    VertexId gone;   ///< the vertex that no tetrahedron has afterwards, if there is one
+    VertexId moved;  ///< the vertex that has another place afterwards, if there is one; all its tetrahedra go
+    Point3 place = Point3::Zero();  ///< of `moved`
     double quality_before = 0;
     double quality_after = 0;
 
@@ -45,7 +47,7 @@ struct Proposal {
         removed.clear();
         added.clear();
         surface.clear();
-        gone = VertexId();
+        gone = moved = VertexId();
     }
     bool is_improvement() const { return quality_after > quality_before + least_quality_gain; }
 };

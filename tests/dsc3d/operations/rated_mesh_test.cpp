@@ -4,6 +4,7 @@
 #include "dsc3d/operations/edge_collapse.h"
 #include "dsc3d/operations/edge_removal.h"
 #include "dsc3d/operations/multi_face.h"
+#include "dsc3d/operations/relocation.h"
 #include "dsc3d/operations/smoothing.h"
 #include "tests/dsc3d/samples.h"
 #include "tests/dsc3d/support.h"
@@ -57,7 +58,7 @@ public:
 
     bool run_one() {
         const Complex& complex = mesh_.complex();
-        switch (random_.below(5)) {
+        switch (random_.below(6)) {
             case 0: return edge_removal_.propose(mesh_, pick(edges(complex)), proposal_, 0.0) && mesh_.apply(proposal_);
             case 1:
                 multi_face_.gather(mesh_, pick(faces(complex)));
@@ -70,6 +71,9 @@ public:
                 return collapse_.propose(mesh_, e, complex.vertices(e)[random_.below(2)], 0.0, proposal_) &&
                        mesh_.apply(proposal_);
             }
+            case 4:
+                return relocation_.propose(mesh_, pick(vertices(complex)), pick(edges(complex)), proposal_) &&
+                       mesh_.apply(proposal_);
             default: {
                 const VertexId v = pick(vertices(complex));
                 const Eigen::Vector3d wish(random_.uniform(-0.3, 0.3), random_.uniform(-0.3, 0.3),
@@ -91,6 +95,7 @@ private:
     EdgeRemoval edge_removal_;
     MultiFace multi_face_;
     EdgeCollapse collapse_;
+    Relocation relocation_;
     Proposal proposal_;
 };
 
