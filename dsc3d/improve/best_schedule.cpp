@@ -87,7 +87,8 @@ BestSchedule::Progress BestSchedule::escape(ImproveRun& run, std::uint64_t seed,
     passes.topological_pass();
     if (thins) passes.thinning_pass();
 
-    Escapes escapes(run.mesh(), passes, {.removes_vertices = thins}, seed);
+    Escapes escapes(run.mesh(), passes, {.removes_vertices = thins, .relocates_vertices = !wanted.keeps_vertices},
+                    seed);
     Progress progress;
     for (int round = 0; round < parameters_.rounds && progress.cost < budget; ++round) {
         if (!run.goes_on("escaping")) break;

@@ -43,11 +43,12 @@ TetId Escapes::random_neighbour(TetId t) {
 bool Escapes::kick(TetId t) {
     if (random_.below(3) == 0) t = random_neighbour(t);
     const EdgeId e = mesh_.complex().edges(t)[random_.below(6)];
-    const std::uint64_t kind = random_.below(10);
+    const std::uint64_t kind = random_.below(12);
     if (kind < 4) return kick_edge(e);
     if (kind < 6) return kick_face(mesh_.complex().faces(t)[random_.below(4)]);
     if (kind < 7 && parameters_.removes_vertices)
         return kick_collapse(e, mesh_.complex().vertices(e)[random_.below(2)]);
+    if (kind < 9 && parameters_.relocates_vertices) return kick_relocation(t);
     return kick_vertex(mesh_.complex().vertices(t)[random_.below(4)]);
 }
 
@@ -74,6 +75,24 @@ bool Escapes::kick_vertex(VertexId v) {
     for (int halving = 0; halving < 4; ++halving, step *= 0.5) {
         const Point3 place = mesh_.surface().settled(v, mesh_.position(v) + step);
         if (mesh_.surface().has_room(v, place) && mesh_.move(v, place, star)) return true;
+    }
+    return false;
+}
+
+// To an edge of t, which may be its only one inside a region, from a vertex that a random walk comes across.
+bool Escapes::kick_relocation(TetId t) {
+    std::array<EdgeId, 6> inside;
+    std::size_t count = 0;
+    for (const EdgeId e : mesh_.complex().edges(t))
+        if (!mesh_.complex().is_surface(e)) inside[count++] = e;
+    if (count == 0) return false;
+    const EdgeId e = inside[random_.below(count)];
+    for (int i = 0; i < parameters_.longest_walk; ++i) {
+        t = random_neighbour(t);
+        const VertexId v = mesh_.complex().vertices(t)[random_.below(4)];
+        if (!relocation_.propose(mesh_, v, e, proposal_) || !mesh_.apply(proposal_)) continue;
+        passes_.smooth(v);
+        return true;
     }
     return false;
 }

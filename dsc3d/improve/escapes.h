@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Escapes from the local maxima where hill climbing stops: one change for the worse near a poor tetrahedron, hill
 // climbing around it, and the whole is kept if it lowers an energy that poor tetrahedra dominate; otherwise it is taken
-// back. Source: thesis 3.6, which names the problem and randomization as the way out. Guarantee: the worst quality of
-// the mesh never decreases. Cost: about a millisecond per attempt.
+// back. Where all vertices near by are fixed, a vertex from elsewhere is the only way out (relocation.h). Source:
+// thesis 3.6, which names the problem and randomization as the way out. Guarantee: the worst quality of the mesh never
+// decreases, and the number of vertices never increases. Cost: about a millisecond per attempt.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 #include "core/random.h"
 #include "dsc3d/improve/passes.h"
+#include "dsc3d/operations/relocation.h"
 
 namespace dsc::dsc3d {
 
@@ -21,7 +23,9 @@ struct EscapeParameters {
     int longest_kick = 3;      ///< changes, some of them for the worse, before hill climbing
     int settling_rounds = 3;   ///< of hill climbing around the change
     bool removes_vertices = true;
-    double longest_push = 0.4;  ///< of a vertex, in mean edge lengths at it
+    bool relocates_vertices = true;  ///< takes vertices inside regions to where they help
+    double longest_push = 0.4;       ///< of a vertex, in mean edge lengths at it
+    int longest_walk = 12;           ///< from a poor tetrahedron to one with a vertex that can come to it
 };
 
 class Escapes {
@@ -41,6 +45,7 @@ private:
     bool kick_face(FaceId f);
     bool kick_collapse(EdgeId e, VertexId kept);
     bool kick_vertex(VertexId v);
+    bool kick_relocation(TetId t);
     void settle();
     bool is_better(double worst);
     TetId random_neighbour(TetId t);
@@ -52,6 +57,7 @@ private:
     EdgeRemoval edge_removal_;
     MultiFace multi_face_;
     EdgeCollapse collapse_;
+    Relocation relocation_;
     Proposal proposal_;
     std::vector<VertexId> region_;
     std::vector<TetId> tets_;

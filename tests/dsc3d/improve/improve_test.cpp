@@ -38,6 +38,38 @@ TetData shaken(TetData data, std::uint64_t with_seed) {
     return data;
 }
 
+// An icosahedron with a centre and one more vertex inside, and its image in the plane of a face, which has none.
+TetData twins(std::uint64_t with_seed) {
+    TetData data = ball(0);
+    Random random(with_seed);
+    shake_all(data, 0.03, random);
+    const std::vector<std::array<std::uint32_t, 4>> star = data.tets;  // [centre, a triangle of the surface]
+    const auto& [centre, a, b, c] = star.front();
+    const Point3 on_mirror = data.vertices[a];
+    const Point3 normal = (data.vertices[b] - on_mirror).cross(data.vertices[c] - on_mirror).normalized();
+    std::map<std::uint32_t, std::uint32_t> image = {{a, a}, {b, b}, {c, c}};
+    for (std::uint32_t v = 0; v < centre; ++v) {
+        if (!image.try_emplace(v, static_cast<std::uint32_t>(data.vertices.size())).second) continue;
+        const Point3 p = data.vertices[v];
+        data.vertices.push_back(p - 2 * normal.dot(p - on_mirror) * normal);
+    }
+    std::uint32_t tip = 0;
+    while (tip == a || tip == b || tip == c) ++tip;
+    for (const auto& [inside, x, y, z] : star)
+        if (x != tip && y != tip && z != tip)
+            data.tets.push_back({image.at(tip), image.at(x), image.at(z), image.at(y)});
+    const auto split = data.tets[10];
+    const auto middle = static_cast<std::uint32_t>(data.vertices.size());
+    data.vertices.push_back(Point3::Zero());
+    for (const std::uint32_t v : split) data.vertices.back() += 0.25 * data.vertices[v];
+    for (std::size_t k = 0; k < 4; ++k) {
+        auto part = split;
+        part[k] = middle;
+        (k == 0 ? data.tets[10] : data.tets.emplace_back()) = part;
+    }
+    return data;
+}
+
 // Corners and centres of n^3 cells; four tetrahedra around each segment between two centres, and no others: all alike.
 TetData bcc_lattice(int n) {
     TetData data;
@@ -287,6 +319,24 @@ TEST_CASE("what is switched off is not done") {
         const Run run(data, {.changes_boundary = false});
         CHECK(surface(run.mesh) == surface(input));
         CHECK(surface(Run(data, {}).mesh) != surface(input));
+    }
+}
+
+TEST_CASE("a vertex comes from elsewhere to where a mesh has none, unless all have to stay") {
+    constexpr auto measure = QualityMeasure::minimum_biased_sine;
+    for (int trial = 0; trial < 3; ++trial) {
+        const TetData data = twins(seed(9) + static_cast<std::uint64_t>(trial));
+        const auto run = [&](bool keeps_vertices) {
+            return Run(data, {.schedule = Schedule::best,
+                              .uses_thinning = false,
+                              .keeps_vertices = keeps_vertices,
+                              .changes_boundary = false});
+        };
+        const Run stays = run(true), comes = run(false);
+        CHECK(comes.mesh.complex().vertex_count() == data.vertices.size());
+        CHECK(surface(comes.mesh) == surface(Mesh(data)));
+        CHECK(stays.worst(measure) < 0.6);
+        CHECK(comes.worst(measure) > 0.85);  // a star around a centre in each
     }
 }
 
