@@ -33,7 +33,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
                 "thesis: until no single operation helps; best: go on from there with compound ones");
     line.flag("--no-mfrt", has_no_mfrt, "leave out multi-face retriangulation");
     line.flag("--no-thinning", has_no_thinning, "leave out the thinning pass, which collapses edges");
-    line.flag("--keep-vertices", parameters.keeps_vertices, "remove no vertex, so that their numbers stay");
+    line.flag("--keep-vertices", parameters.keeps_vertices, "neither remove vertices nor take them elsewhere");
     line.heading("Boundary, and interfaces between regions");
     line.flag("--no-boundary", keeps_boundary, "leave its triangles as they are");
     line.flag("--merge-regions", options.merges_regions, "forget the regions: all are one, without interfaces");

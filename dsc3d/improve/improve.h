@@ -30,7 +30,9 @@ struct ImproveParameters {
     Schedule schedule = Schedule::thesis;
     bool uses_multi_face_retriangulation = true;
     bool uses_thinning = true;
-    bool keeps_vertices = false;   ///< no vertex is removed, so that the numbering of the input stays
+    /// No vertex is removed or taken elsewhere, so that the numbering of the input stays, and what it says about
+    /// places.
+    bool keeps_vertices = false;
     bool changes_boundary = true;  ///< flat parts of the boundary may be retriangulated and smoothed
     /// Largest distance between the surface (boundary and interfaces) before and after, in diagonals of the bounding
     /// box; [0, 1e-2].

@@ -2,8 +2,8 @@
 // Relocation: a vertex inside a region leaves its star by the best edge collapse and comes back in the middle of an
 // edge elsewhere, whose tetrahedra it divides. It brings a vertex to where a mesh has none that could help, and no
 // number of moves and retriangulations leads there; the number of vertices stays.
-// Source: thesis 3.2.3 (vertex insertion) and 3.3.2 (edge collapse), as one operation. Guarantee: keeps topology and surface.
-// Cost: that of judging a collapse for each edge at the vertex, and the ring of the edge.
+// Source: thesis 3.2.3 (vertex insertion) and 3.3.2 (edge collapse), as one operation. Guarantee: keeps topology and
+// surface. Cost: that of judging a collapse for each edge at the vertex, and the ring of the edge.
 #pragma once
 
 #include <vector>
