@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "dsc2d/deform/degeneracy.h"
 #include "dsc2d/operations/collapse.h"
 #include "dsc2d/operations/flip.h"
 #include "dsc2d/operations/split.h"
@@ -126,22 +127,33 @@ private:
         return true;
     }
 
-    // A region that is a single face may not shrink to nothing.
+    // A region that is a single thin face goes, or is stopped before it shrinks to nothing.
     bool treat_island(HalfedgeId h) {
-        const std::array<HalfedgeId, 3> sides = {h, complex_.next(h), complex_.prev(h)};
-        double longest = 0.0;
+        std::array<HalfedgeId, 3> sides = {h, complex_.next(h), complex_.prev(h)};
         bool is_movable_one = false;
         for (const HalfedgeId side : sides) {
             if (!complex_.is_interface(side)) return false;
-            longest = std::max(longest, complex_.length(side));
             is_movable_one = is_movable_one || is_movable(complex_.from(side));
         }
+        std::ranges::sort(sides, {}, [&](HalfedgeId side) { return complex_.length(side); });
+        if (2.0 * complex_.area(complex_.face(h)) >= distance_ * complex_.length(sides[2])) return false;
+        if (allows_change(h)) return collapse_island(sides);
+        if (!is_movable_one) return false;
         const int label = complex_.label(complex_.face(h));
-        if (allows_change(h) || !is_movable_one || 2.0 * complex_.area(complex_.face(h)) >= distance_ * longest)
-            return false;
         report(sides[0], label, true);
         report(sides[1], label, true);
         return true;
+    }
+
+    bool collapse_island(const std::array<HalfedgeId, 3>& sides) {
+        for (const HalfedgeId side : sides)
+            for (const HalfedgeId way : {side, Complex::opposite(side)}) {
+                if (!can_collapse(complex_, way, CollapseRule::change_topology)) continue;
+                context_.collapse_and_tell(way);
+                ++context_.report.counts.topology_changes;
+                return true;
+            }
+        return false;
     }
 
     // A vertex whose two neighbours have met in front of it can't get out any more.
@@ -241,6 +253,12 @@ private:
             context_.collapse_and_tell(way);
             tell_change(place, label);
             return true;
+        }
+        // A vertex inside the gap would be pushed through the interface: it goes first.
+        for (const HalfedgeId side : ways) {
+            if (complex_.is_boundary(side)) continue;
+            const VertexId apex = complex_.to(complex_.next(side));
+            if (context_.is_steiner(apex) && remove_steiner_vertex(context_, apex)) return true;
         }
         return false;
     }

@@ -162,6 +162,7 @@ TEST_CASE("two discs that grow merge or are stopped, as the policy says") {
         Run run({.shape = Shape::two_discs}, policy);
         run.go(MotionOptions{.motion = Motion::offset, .distance = 0.04}, 8);
         if (policy == TopologyPolicy::adaptive || policy == TopologyPolicy::merge_only) {
+            CHECK(run.smallest_angle() > 10);
             const double r = 0.19, d = 0.31;
             const double lens = 2 * r * r * std::acos(d / (2 * r)) - d / 2 * std::sqrt(4 * r * r - d * d);
             CHECK(run.label(1).components == 1);
@@ -211,6 +212,7 @@ TEST_CASE("the hole of a ring closes or stays, a dumbbell falls into two or hold
     splitting.go(MotionOptions{.motion = Motion::offset, .distance = -0.08}, 20);
     CHECK(splitting.label(1).components == 2);
     CHECK(splitting.events("split") > 0);
+    CHECK(splitting.smallest_angle() > 10);
     Run holding(dumbbell, TopologyPolicy::merge_only);
     holding.go(MotionOptions{.motion = Motion::offset, .distance = -0.08}, 20);
     CHECK(holding.label(1).components == 1);

@@ -6,11 +6,9 @@
 #include "dsc2d/generate/complex_around.h"
 #include "dsc2d/generate/shapes.h"
 #include "dsc2d/interface.h"
-#include "dsc2d/label_statistics.h"
 #include "tests/dsc2d/support.h"
 
 using namespace dsc::dsc2d;
-using dsc::motion::TopologyPolicy;
 using dsc::tests::require_valid;
 using std::numbers::pi;
 
@@ -49,38 +47,6 @@ TEST_CASE("a complex may be compacted between the steps of one deformer") {
                 nearest = std::min(nearest, (point.place - Eigen::Rotation2Dd(pi / 2) * corner).norm());
             CHECK(nearest < 1e-12);
         }
-}
-
-TEST_CASE("a region that shrinks to a single face is stopped where topology is preserved, and vanishes elsewhere") {
-    for (const TopologyPolicy policy : {TopologyPolicy::preserved, TopologyPolicy::adaptive}) {
-        Complex complex = complex_around(Domain::box({-1, -1}, {1, 1}), disc({0, 0}, 0.2, 0.05), 0.05);
-        Parameters parameters = {.edge_length = 0.05, .topology = policy};
-        parameters.interface_max_edge = 1.6;
-        parameters.interface_min_edge = 0.4;
-        Deformer deformer(complex, parameters);
-        std::size_t contacts = 0;
-        for (int step = 0; step < 60; ++step) {
-            const double radius = 0.2 - 0.005 * step;
-            contacts += deformer
-                            .step(targets_of(complex,
-                                             [&](const Point2& p) {
-                                                 return p.norm() > 0 && radius > 0 ? Point2(p * (radius / p.norm()))
-                                                                                   : Point2(Point2::Zero());
-                                             }))
-                            .contacts.size();
-            require_valid(complex);
-        }
-        const auto labels = label_statistics(complex);
-        if (policy == TopologyPolicy::adaptive) {
-            CHECK(labels.size() == 1);
-        } else {
-            REQUIRE(labels.size() == 2);
-            CHECK(labels[1].components == 1);
-            CHECK(labels[1].triangles >= 1);
-            CHECK(labels[1].area > 1e-3 * 0.05 * 0.05);
-            CHECK(contacts > 0);
-        }
-    }
 }
 
 TEST_CASE("vertices that are born after the motion of a step leave none of it over") {
