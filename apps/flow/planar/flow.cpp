@@ -21,8 +21,8 @@ using dsc2d::VertexId;
 
 namespace {
 
-/// Arrays with more deleted elements than this are compacted.
-constexpr double most_garbage = 0.3;
+/// Arrays with more deleted elements than this are compacted: when there is no contact, and in any case.
+constexpr double much_garbage = 0.3, too_much_garbage = 0.8;
 /// The motion in a part of a step is not longer than this [edge_length].
 constexpr double motion_share = 0.5;
 /// Where the interface may have to be stopped, its vertices don't come nearer to each other than by this in a part:
@@ -31,8 +31,8 @@ constexpr double approach_share = 0.1;
 /// The interface comes no nearer to the wall of the box [edge_length].
 constexpr double room_at_wall = 0.25;
 constexpr int most_parts = 10000;
-/// On a torus, vertices further from the domain than this are taken back [periods].
-constexpr double furthest = 4;
+/// On a torus, vertices further from the domain than this are taken back, likewise [periods].
+constexpr double far = 4, too_far = 16;
 
 class EventList final : public dsc2d::Listener {
 public:
@@ -115,17 +115,32 @@ public:
     }
 
 private:
+    // Contacts are known by the numbers and periods of their vertices: they are let go, to be found again, where that
+    // can't be put off.
     void tidy() {
-        // Contacts are known by their vertices, whose numbers change.
-        if (contacts_.is_empty() && complex_.garbage_fraction() > most_garbage) complex_.compact();
-        const dsc2d::Domain& domain = complex_.domain();
-        if (domain.has_boundary()) return;
+        const double garbage = complex_.garbage_fraction(), periods = largest_period();
+        if (garbage > too_much_garbage || periods > too_far) contacts_.release_all(complex_);
+        if (!contacts_.is_empty()) return;
+        if (garbage > much_garbage) complex_.compact();
+        if (periods > far) take_back();
+    }
+
+    Point2 periods(VertexId v) const {
+        return complex_.domain().basis().inverse() * (complex_.position(v) - complex_.domain().origin());
+    }
+
+    double largest_period() const {
+        double largest = 0;
+        for (std::uint32_t i = 0; result_.is_torus && i < complex_.vertex_capacity(); ++i)
+            if (!complex_.is_deleted(VertexId(i)))
+                largest = std::max(largest, periods(VertexId(i)).cwiseAbs().maxCoeff());
+        return largest;
+    }
+
+    void take_back() {
         for (std::uint32_t i = 0; i < complex_.vertex_capacity(); ++i) {
-            const VertexId v(i);
-            if (complex_.is_deleted(v)) continue;
-            const Point2 periods = domain.basis().inverse() * (complex_.position(v) - domain.origin());
-            if (periods.cwiseAbs().maxCoeff() > furthest)
-                complex_.reanchor(v, -periods.array().floor().cast<int>().matrix());
+            if (complex_.is_deleted(VertexId(i))) continue;
+            complex_.reanchor(VertexId(i), -periods(VertexId(i)).array().floor().cast<int>().matrix());
         }
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/flow/planar/held_contacts.h"
 
+#include <utility>
+
 namespace dsc::flow::planar {
 
 using dsc2d::Complex;
@@ -13,10 +15,8 @@ void HeldContacts::release(Complex& complex, std::span<const std::optional<Point
     };
     const auto is_there = [&](dsc2d::VertexId v) { return !complex.is_deleted(v) && complex.is_interface(v); };
     std::vector<Held> kept;
-    for (const Held& held : contacts_) {
-        const auto& [contact, locks_a, locks_b] = held;
-        for (const dsc2d::VertexId v : {contact.a, contact.b})
-            if (!complex.is_deleted(v)) complex.unlock(v);
+    for (const Held& held : unlocked(complex)) {
+        const dsc2d::Contact& contact = held.contact;
         if (!is_there(contact.a) || !is_there(contact.b)) continue;
         const Point2 gap =
             complex.position(contact.b) + complex.domain().translation(contact.lattice) - complex.position(contact.a);
@@ -27,6 +27,15 @@ void HeldContacts::release(Complex& complex, std::span<const std::optional<Point
         if (held.locks_b) complex.lock(held.contact.b);
     }
     contacts_ = std::move(kept);
+}
+
+void HeldContacts::release_all(Complex& complex) { unlocked(complex); }
+
+std::vector<HeldContacts::Held> HeldContacts::unlocked(Complex& complex) {
+    for (const Held& held : contacts_)
+        for (const dsc2d::VertexId v : {held.contact.a, held.contact.b})
+            if (!complex.is_deleted(v)) complex.unlock(v);
+    return std::exchange(contacts_, {});
 }
 
 void HeldContacts::add(const Complex& complex, std::span<const dsc2d::Contact> contacts) {

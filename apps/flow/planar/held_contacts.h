@@ -20,6 +20,8 @@ public:
 
     /// Before a step: unlocks what its targets take apart.
     void release(dsc2d::Complex& complex, std::span<const std::optional<dsc2d::Point2>> targets);
+    /// Lets go of everything: before vertices get other numbers or are taken to another period.
+    void release_all(dsc2d::Complex& complex);
     /// After a step: takes over what it has stopped.
     void add(const dsc2d::Complex& complex, std::span<const dsc2d::Contact> contacts);
 
@@ -28,6 +30,9 @@ private:
         dsc2d::Contact contact;
         bool locks_a, locks_b;
     };
+    /// All of them, which are held no longer.
+    std::vector<Held> unlocked(dsc2d::Complex& complex);
+
     std::vector<Held> contacts_;
 };
 

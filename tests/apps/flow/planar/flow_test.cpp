@@ -2,6 +2,7 @@
 // Flows in the plane with known answers.
 #include "apps/flow/planar/flow.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -9,8 +10,10 @@
 #include "apps/flow/planar/initial_complex.h"
 #include "core/errors.h"
 #include "dsc2d/interface.h"
+#include "dsc2d/label_statistics.h"
 #include "dsc2d/validate.h"
-#include "tests/support/temporary_folder.h"
+#include "motion/curl_noise.h"
+#include "tests/support/seed.h"
 
 using namespace dsc;
 using namespace dsc::flow::planar;
@@ -269,4 +272,40 @@ TEST_CASE("a run can be stopped, and the same run has the same bits") {
         found = again.places();
     }
     CHECK(places[0] == places[1]);
+}
+
+TEST_CASE("random flows leave a valid mesh after every step, and where it is preserved, the topology", "[slow]") {
+    for (const TopologyPolicy policy : {TopologyPolicy::adaptive, TopologyPolicy::preserved}) {
+        Run run({.shape = Shape::labelled_block, .size = Point2(0.5, 0.5)}, policy);
+        const int steps = policy == TopologyPolicy::adaptive ? 400 : 200;
+        const auto components = [](const dsc2d::Complex& complex) {
+            std::vector<std::array<std::int64_t, 3>> found;
+            for (const auto& label : dsc2d::label_statistics(complex))
+                found.push_back({label.label, label.components, label.holes});
+            return found;
+        };
+        const auto first = components(run.initial.complex);
+        const std::uint64_t seed = tests::seed(11);
+        int call = 0;
+        motion::VelocityField<2> noise;
+        const Targets targets = [&](const dsc2d::Complex& complex, double time, double dt) {
+            REQUIRE(validate(complex).empty());
+            if (policy == TopologyPolicy::preserved) REQUIRE(components(complex) == first);
+            const double speed = 0.5 * run.initial.edge_length;
+            if (call++ % 50 == 0)
+                noise = motion::curl_noise(motion::CurlNoiseParameters<2>{
+                    .has_walls = true, .max_speed = speed, .seed = seed + static_cast<std::uint64_t>(call)});
+            std::vector<std::optional<Point2>> wanted(complex.vertex_capacity());
+            for (const core::VertexId v : dsc2d::Interface(complex).vertices)
+                if (!complex.is_boundary(v))
+                    wanted[v.index()] = complex.position(v) + dt * noise(complex.position(v), time);
+            return wanted;
+        };
+        run.go(targets, steps, steps);
+        CHECK(run.result.end == FlowEnd::done);
+        CHECK(run.result.steps.size() == static_cast<std::size_t>(steps) + 1);
+        const bool is_adaptive = policy == TopologyPolicy::adaptive;
+        CHECK((run.events("merge") + run.events("split") > 100) == is_adaptive);
+        CHECK((run.events("contact") > 100) == !is_adaptive);
+    }
 }

@@ -85,6 +85,10 @@ TEST_CASE("what is held is let go when its targets take it apart") {
     contacts.release(complex, targets);
     CHECK(complex.is_locked(a));
     CHECK(complex.is_locked(b));
+    HeldContacts all = contacts;
+    all.release_all(complex);
+    CHECK(all.is_empty());
+    CHECK_FALSE(complex.is_locked(a));
     targets[b.index()] = complex.position(b) + 0.1 * way;  // both go the same way
     contacts.release(complex, targets);
     CHECK_FALSE(complex.is_locked(a));
