@@ -208,6 +208,8 @@ void Deformer::finish(PassContext& context) {
     for (const VertexId v : step_active_.members())
         if (!complex_.is_deleted(v)) active_.add(v);
     respace_interface(context);
+    // Parts of the interface that have just got other vertices may touch by that.
+    if (parameters_.interface_max_edge || parameters_.interface_min_edge) treat_contacts(context);
     split_needles(context);
     for (int sweep = 0; sweep < parameters_.smoothing_sweeps; ++sweep) {
         smooth(context);

@@ -305,6 +305,7 @@ TEST_CASE("random flows leave a valid mesh after every step, and where it is pre
         CHECK(run.result.end == FlowEnd::done);
         CHECK(run.result.steps.size() == static_cast<std::size_t>(steps) + 1);
         const bool is_adaptive = policy == TopologyPolicy::adaptive;
+        if (is_adaptive) CHECK(run.smallest_angle() > 1);
         CHECK((run.events("merge") + run.events("split") > 100) == is_adaptive);
         CHECK((run.events("contact") > 100) == !is_adaptive);
     }
