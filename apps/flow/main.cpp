@@ -8,6 +8,7 @@
 #include "apps/common/run_main.h"
 #include "apps/flow/flow.h"
 #include "apps/flow/initial_mesh.h"
+#include "apps/flow/planar/program.h"
 #include "apps/flow/targets.h"
 #include "core/errors.h"
 #include "dsc3d/interface.h"
@@ -64,9 +65,9 @@ void write_results(const Options& options, const dsc3d::Mesh& mesh, const FlowRe
 int run(int argc, const char* const* argv) {
     const std::optional<Options> options = parse_options(argc, argv);
     if (!options) return apps::exit_done;
-    if (options->dimension == 2) throw core::UsageError("--dimension 2 is not there yet");
     if (options->sizing) throw core::UsageError("--sizing is not there yet");
     if (options->is_resumed) throw core::UsageError("--resume is not there yet");
+    if (options->planar) return planar::run(*options);
     if (options->topology != motion::TopologyPolicy::preserved)
         throw core::UsageError("--topology: only preserved is there yet; interfaces that meet are stopped");
     require_other_files(*options);

@@ -121,8 +121,6 @@ void check_uses(const apps::CommandLine& line, const Options& options) {
         throw core::UsageError("--motion translate needs --velocity x,y,z");
     if (options.motion.motion == Motion::expression && !options.motion.expressions)
         throw core::UsageError("--motion expression needs --velocity \"(-y, x, 0)\"");
-    if (options.time.dt && options.time.until && options.time.steps)
-        throw core::UsageError("only two of --dt, --until, --steps can be given: the third one follows");
 }
 
 }  // namespace
@@ -137,7 +135,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         "flow",
         "Moves an interface through a tetrahedral mesh, as a deformable simplicial complex. SHAPE: sphere, box, torus, "
         "dumbbell, two-spheres, slotted-cube, labelled-block; a closed surface (.off, .obj, .ply, .stl); or a labelled "
-        "tetrahedral mesh (.mesh, .msh, .node, .vtu, .vtk).",
+        "tetrahedral mesh (.mesh, .msh, .node, .vtu, .vtk). With --dimension 2, in the plane: disc, two-discs, ring, "
+        "dumbbell, slotted-disc, polygon, box, labelled-block; polygons (.svg, .csv, .json); or a labelled planar mesh "
+        "(.mesh). Points have two coordinates then.",
         "flow slotted-cube --motion rotate --angle 360 --steps 50 -o turned",
         {.output = "folder for final.obj, final.mesh, series.pvd, report.json, index.html", .output_is_folder = true});
     line.input_file("SHAPE", texts.shape, "what moves: a name, or a file");
@@ -158,6 +158,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
                 {.above = 0, .at_most = 180});
     line.text("--domain", texts.domain,
               "x0,y0,z0,x1,y1,z1 (default: the unit box, or twice the size of what has no room there)");
+    planar::Texts planar_texts;
+    planar::add_options(line, planar_texts);
     line.heading("Motion");
     line.choice("--motion", texts.motion, all_names(motion_names), "what moves the interface");
     line.text("--axis", texts.axis, "of rotation, x,y,z (default 0,0,1)");
@@ -173,8 +175,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.integer("--steps", steps, "number of steps (0: from --dt and --until, or 50)", {.at_least = 0});
     line.heading("Deformation");
     line.choice("--topology", texts.topology, all_names(topology_names),
-                "what may happen where the interface meets itself (only preserved is there yet)");
-    line.integer("--dimension", options.dimension, "2 or 3 (only 3 is there yet)", {.at_least = 2, .at_most = 3});
+                "what may happen where the interface meets itself (3D: only preserved is there yet)");
+    line.integer("--dimension", options.dimension, "2 or 3", {.at_least = 2, .at_most = 3});
     line.text("--sizing", options.sizing,
               "edge lengths: uniform, curvature, thickness, or an expression in x, y, z (not there yet)");
     line.heading("Output");
@@ -188,6 +190,14 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     if (!options.common.output) throw core::UsageError("-o DIR is needed");
     options.folder = *options.common.output;
     if (steps > 0) options.time.steps = steps;
+    if (options.time.dt && options.time.until && options.time.steps)
+        throw core::UsageError("only two of --dt, --until, --steps can be given: the third one follows");
+    if (options.dimension == 2) {
+        options.topology = value_of(topology_names, texts.topology);
+        options.planar = planar::parsed_options(line, options, planar_texts);
+        return options;
+    }
+    if (planar::is_any_given(line)) throw core::UsageError("--sides and --torus go with --dimension 2 only");
     parse_texts(texts, options);
     check_uses(line, options);
     return options;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "apps/common/command_line.h"
+#include "apps/flow/planar/options.h"
 #include "geometry/predicates.h"
 #include "io/json.h"
 #include "motion/topology.h"
@@ -59,6 +60,7 @@ struct Options {
     TimeOptions time;
     motion::TopologyPolicy topology = motion::TopologyPolicy::preserved;
     int dimension = 3;
+    std::optional<planar::Options> planar;  ///< dimension 2: then shape and motion are those of its own
     std::optional<std::string> sizing;
     int snapshots = 20;
     bool is_resumed = false;

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
 #include "apps/flow/names.h"
 #include "core/assert.h"
@@ -16,13 +15,6 @@ namespace dsc::flow {
 using io::Json;
 
 namespace {
-
-constexpr std::array end_names{
-    Name{"done", FlowEnd::done},
-    Name{"vanished", FlowEnd::vanished},
-    Name{"cancelled", FlowEnd::cancelled},
-    Name{"stopped", FlowEnd::stopped},
-};
 
 Json point_json(const Point3& p) { return Json(std::vector<double>(p.begin(), p.end())); }
 

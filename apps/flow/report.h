@@ -2,9 +2,11 @@
 // The result of the program flow as JSON (report.json) and as text to read.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "apps/common/names.h"
 #include "apps/flow/options.h"
 #include "apps/flow/step_record.h"
 #include "apps/flow/time_steps.h"
@@ -13,6 +15,13 @@
 namespace dsc::flow {
 
 enum class FlowEnd { done, vanished, cancelled, stopped };
+
+inline constexpr std::array end_names{
+    apps::Name{"done", FlowEnd::done},
+    apps::Name{"vanished", FlowEnd::vanished},
+    apps::Name{"cancelled", FlowEnd::cancelled},
+    apps::Name{"stopped", FlowEnd::stopped},
+};
 
 struct FlowResult {
     Eigen::AlignedBox3d domain;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "dsc2d/deform/degeneracy.h"
 #include "dsc2d/operations/collapse.h"
 #include "dsc2d/operations/flip.h"
 #include "dsc2d/operations/split.h"
@@ -34,8 +35,8 @@ public:
     bool stop_blocked(VertexId v, HalfedgeId blocking) {
         const HalfedgeId base = complex_.next(blocking), closing = complex_.prev(blocking);
         if (is_blunt_corner(base) || is_blunt_corner(closing)) return false;
-        const bool meets_base = complex_.is_interface(base) && !complex_.is_interface(blocking) &&
-                                !complex_.is_interface(closing);
+        const bool meets_base =
+            complex_.is_interface(base) && !complex_.is_interface(blocking) && !complex_.is_interface(closing);
         if (allows_change(blocking)) return false;
         if (meets_base) {
             stop_at_base(base, /*limit=*/std::nullopt, smallest_piece(base));
@@ -68,7 +69,7 @@ private:
     bool visit_ring(VertexId v) {
         for (const HalfedgeId h : complex_.outgoing(v)) {
             if (complex_.is_boundary(h)) continue;
-            if (treat_edge(h)) return true;
+            if (treat_edge(h) || treat_island(h)) return true;
             const HalfedgeId base = complex_.next(h);
             if (treat_cap(base) || treat_cap(h) || treat_cap(complex_.prev(h))) return true;
         }
@@ -94,8 +95,8 @@ private:
         return u.dot(w) > cosine_of_wedge_ * std::sqrt(u.squaredNorm() * w.squaredNorm());
     }
 
-    // True when the interface turns at from(h), along two sides of face(h), by a right angle or less: then the face is an
-    // ear of a smooth interface, which flips away, not a gap that closes.
+    // True when the interface turns at from(h), along two sides of face(h), by a right angle or less: then the face is
+    // an ear of a smooth interface, which flips away, not a gap that closes.
     bool is_blunt_corner(HalfedgeId h) const {
         return complex_.is_interface(h) && complex_.is_interface(complex_.prev(h)) &&
                complex_.vector(h).dot(complex_.vector(complex_.prev(h))) >= 0.0;
@@ -114,7 +115,8 @@ private:
         const double squared = complex_.vector(h).squaredNorm();
         if (squared >= distance_ * distance_) return false;
         const bool allowed = allows_change(h);
-        if (!allowed && !is_movable(a) && !is_movable(b)) return lock_enclosed(h) || lock_enclosed(Complex::opposite(h));
+        if (!allowed && !is_movable(a) && !is_movable(b))
+            return lock_enclosed(h) || lock_enclosed(Complex::opposite(h));
         if (squared >= minimum_ * minimum_) {
             const double local = context_.parameters.contact_fraction * std::max(local_length(a), local_length(b));
             if (squared >= local * local) return false;
@@ -123,6 +125,35 @@ private:
         if (allowed) return join_ends(h);
         report(h, complex_.label(complex_.face(h)), true);
         return true;
+    }
+
+    // A region that is a single thin face goes, or is stopped before it shrinks to nothing.
+    bool treat_island(HalfedgeId h) {
+        std::array<HalfedgeId, 3> sides = {h, complex_.next(h), complex_.prev(h)};
+        bool is_movable_one = false;
+        for (const HalfedgeId side : sides) {
+            if (!complex_.is_interface(side)) return false;
+            is_movable_one = is_movable_one || is_movable(complex_.from(side));
+        }
+        std::ranges::sort(sides, {}, [&](HalfedgeId side) { return complex_.length(side); });
+        if (2.0 * complex_.area(complex_.face(h)) >= distance_ * complex_.length(sides[2])) return false;
+        if (allows_change(h)) return collapse_island(sides);
+        if (!is_movable_one) return false;
+        const int label = complex_.label(complex_.face(h));
+        report(sides[0], label, true);
+        report(sides[1], label, true);
+        return true;
+    }
+
+    bool collapse_island(const std::array<HalfedgeId, 3>& sides) {
+        for (const HalfedgeId side : sides)
+            for (const HalfedgeId way : {side, Complex::opposite(side)}) {
+                if (!can_collapse(complex_, way, CollapseRule::change_topology)) continue;
+                context_.collapse_and_tell(way);
+                ++context_.report.counts.topology_changes;
+                return true;
+            }
+        return false;
     }
 
     // A vertex whose two neighbours have met in front of it can't get out any more.
@@ -182,7 +213,8 @@ private:
         context_.listener.on_interface_split(m, q, r, s);
         for (const HalfedgeId h : complex_.outgoing(m)) context_.active.add(complex_.to(h));
         for (const HalfedgeId h : complex_.outgoing(m))
-            if (complex_.to(h) == apex_vertex && complex_.label(complex_.face(h)) == label && !complex_.is_interface(h)) {
+            if (complex_.to(h) == apex_vertex && complex_.label(complex_.face(h)) == label &&
+                !complex_.is_interface(h)) {
                 report(Complex::opposite(h), label, true);
                 return true;
             }
@@ -222,6 +254,12 @@ private:
             tell_change(place, label);
             return true;
         }
+        // A vertex inside the gap would be pushed through the interface: it goes first.
+        for (const HalfedgeId side : ways) {
+            if (complex_.is_boundary(side)) continue;
+            const VertexId apex = complex_.to(complex_.next(side));
+            if (context_.is_steiner(apex) && remove_steiner_vertex(context_, apex)) return true;
+        }
         return false;
     }
 
@@ -234,7 +272,8 @@ private:
         if (!can_flip(complex_, Complex::edge(base))) return false;
         const int label = complex_.label(complex_.face(base));
         const Point2 place = complex_.position(complex_.from(base)) + apex;
-        for (const VertexId v : {complex_.from(base), complex_.to(base), complex_.from(from_apex)}) context_.active.add(v);
+        for (const VertexId v : {complex_.from(base), complex_.to(base), complex_.from(from_apex)})
+            context_.active.add(v);
         flip_to_label_of(complex_, Complex::opposite(base));
         ++context_.report.counts.flips;
         tell_change(place, label);

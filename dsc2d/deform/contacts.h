@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where parts of the interface are about to touch: short edges across a region, and caps, i.e. faces whose base is an
 // interface edge and whose apex is an interface vertex close to it. The topology policy decides what follows: the two
-// parts are joined (the edge is collapsed, the base of the cap flipped), or stopped (the base of the cap is split at the
-// point nearest the apex; both vertices are locked, the contact is reported).
+// parts are joined (the edge is collapsed, the base of the cap flipped), or stopped (the base of the cap is split at
+// the point nearest the apex; both vertices are locked, the contact is reported). A region that is a single thin face
+// vanishes, or is stopped.
 // Source: thesis 4.3.1 (interface topology changes), 5.2.2 (head-on self-collision). Guarantee: a contact is reported
 // once; locked vertices stay. Cost: linear in the active set.
 #pragma once

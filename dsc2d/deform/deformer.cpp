@@ -8,6 +8,7 @@
 #include "dsc2d/deform/contacts.h"
 #include "dsc2d/deform/degeneracy.h"
 #include "dsc2d/improve/detail_control.h"
+#include "dsc2d/improve/poor_stars.h"
 #include "dsc2d/improve/smoothing.h"
 #include "dsc2d/operations/collapse.h"
 #include "dsc2d/operations/flip.h"
@@ -31,9 +32,12 @@ class Deformer::TargetKeeper final : public Listener {
 public:
     explicit TargetKeeper(Deformer& deformer) : deformer_(deformer) {}
 
+    /// Vertices that are born after all motion was made have none that could be left over.
+    void end_motion() { shares_motion_ = false; }
+
     void on_interface_split(VertexId m, VertexId a, VertexId b, double s) override {
         const Complex& complex = deformer_.complex_;
-        if (!complex.is_locked(m) && (deformer_.has_target_[a] || deformer_.has_target_[b])) {
+        if (shares_motion_ && !complex.is_locked(m) && (deformer_.has_target_[a] || deformer_.has_target_[b])) {
             const Point2 motion = (1.0 - s) * motion_left(a) + s * motion_left(b);
             deformer_.target_[m] = complex.domain().snapped(complex.position(m) + motion);
             deformer_.has_target_[m] = 1;
@@ -54,6 +58,7 @@ private:
     }
 
     Deformer& deformer_;
+    bool shares_motion_ = true;
 };
 
 Deformer::Deformer(Complex& complex, const Parameters& parameters, Listener& listener)
@@ -85,9 +90,18 @@ StepReport Deformer::step(std::span<const std::optional<Point2>> targets) {
         improve(context);
         ++report.substeps;
     }
+    keeper.end_motion();
     finish(context);
     report_unfinished(report);
+    forget_handles();
     return report;
+}
+
+// Handles change when the complex is compacted between steps.
+void Deformer::forget_handles() {
+    active_.clear();
+    step_active_.clear();
+    move_together_.forget();
 }
 
 void Deformer::set_targets(std::span<const std::optional<Point2>> targets) {
@@ -135,7 +149,8 @@ void Deformer::activate_star(PassContext& context, VertexId v) {
 bool Deformer::move_one(PassContext& context, VertexId v) {
     const double way = (target_[v] - complex_.position(v)).norm();
     MoveResult result = move_vertex(complex_, v, target_[v], {parameters_.approach, parameters_.interface_approach});
-    // A fan of faces along the interface opens only one by one: waiting for the Delaunay pass would cost a substep each.
+    // A fan of faces along the interface opens only one by one: waiting for the Delaunay pass would cost a substep
+    // each.
     for (int flips = 0; !result.is_reached && flips < parameters_.flips_on_the_way; ++flips) {
         if (!flip_out_of_the_way(context, v, result.blocking)) break;
         result = move_vertex(complex_, v, target_[v], {parameters_.approach, parameters_.interface_approach});
@@ -150,7 +165,8 @@ bool Deformer::move_one(PassContext& context, VertexId v) {
     ++context.report.counts.blocked_moves;
     if (!complex_.is_interface(v)) return false;
     // One that has all but arrived is not kept from moving.
-    const double left = (target_[v] - complex_.position(v)).norm(), limit = context.absolute(parameters_.blocked_motion);
+    const double left = (target_[v] - complex_.position(v)).norm(),
+                 limit = context.absolute(parameters_.blocked_motion);
     if (way - left >= limit || left < limit) {
         blocked_substeps_[v] = 0;
     } else if (++blocked_substeps_[v] >= parameters_.blocked_substeps) {
@@ -192,8 +208,14 @@ void Deformer::finish(PassContext& context) {
     for (const VertexId v : step_active_.members())
         if (!complex_.is_deleted(v)) active_.add(v);
     respace_interface(context);
-    insert_in_needles(context);
-    for (int sweep = 0; sweep < parameters_.smoothing_sweeps; ++sweep) smooth(context);
+    // Parts of the interface that have just got other vertices may touch by that.
+    if (parameters_.interface_max_edge || parameters_.interface_min_edge) treat_contacts(context);
+    split_needles(context);
+    for (int sweep = 0; sweep < parameters_.smoothing_sweeps; ++sweep) {
+        smooth(context);
+        flip(context);
+        mend_poor_stars(context);
+    }
     flip(context);
 }
 
@@ -234,6 +256,7 @@ void Deformer::restore_delaunay_at(VertexId v) {
     active_.add(v);
     touched_.clear();
     delaunay_.run(complex_, active_.members(), touched_);
+    forget_handles();
 }
 
 StepReport Deformer::improve_everywhere() {
@@ -248,6 +271,7 @@ StepReport Deformer::improve_everywhere() {
     remove_degeneracies(context);
     thin_out(context);
     finish(context);
+    forget_handles();
     return report;
 }
 

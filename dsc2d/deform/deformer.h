@@ -31,9 +31,9 @@ public:
 
     const Parameters& parameters() const { return parameters_; }
 
-    /// Moves every vertex that has a target (cover coordinates; indexed by vertex, missing entries mean none) towards it.
-    /// Locked vertices stay and are reported as unfinished. Vertices that split the interface during the step get the
-    /// mean of the motion left at the two ends. Throws core::UsageError when a vertex of the domain's boundary or a
+    /// Moves every vertex that has a target (cover coordinates; indexed by vertex, missing entries mean none) towards
+    /// it. Locked vertices stay and are reported as unfinished. Vertices that split the interface during the step get
+    /// the mean of the motion left at the two ends. Throws core::UsageError when a vertex of the domain's boundary or a
     /// deleted vertex has a target, or a target lies out of the domain's reach.
     StepReport step(std::span<const std::optional<Point2>> targets);
 
@@ -41,8 +41,8 @@ public:
     /// Nothing when the edge is too short for the grid.
     std::optional<VertexId> split_interface_edge(HalfedgeId h, double s = 0.5);
 
-    /// Merges from(h) into to(h) between steps, where the interface has no other branch (coarsening of a front): the mesh
-    /// is kept up, the listener is not called. False when that would turn a face over or change the topology.
+    /// Merges from(h) into to(h) between steps, where the interface has no other branch (coarsening of a front): the
+    /// mesh is kept up, the listener is not called. False when that would turn a face over or change the topology.
     bool merge_interface_edge(HalfedgeId h);
 
     /// Mesh improvement of the whole complex: Delaunay flips, smoothing, detail control. Moves no interface vertex.
@@ -61,6 +61,7 @@ private:
     void flip(PassContext& context);
     void restore_delaunay_at(VertexId v);
     void report_unfinished(StepReport& report);
+    void forget_handles();
 
     Complex& complex_;
     Parameters parameters_;

@@ -35,6 +35,7 @@ void Parameters::validate() const {
     require(degenerate_area >= 0.0, "degenerate_area", "at least 0");
     require(steiner_min_edge >= 0.0, "steiner_min_edge", "at least 0");
     require(steiner_min_angle >= 0.0 && steiner_min_angle < pi / 3, "steiner_min_angle", "in [0, pi/3)");
+    require(!poor_angle || (*poor_angle > 0.0 && *poor_angle < pi / 3), "poor_angle", "in (0, pi/3)");
     require(!needle_angle || (*needle_angle > 0.0 && *needle_angle < pi / 3), "needle_angle", "in (0, pi/3)");
     require(needle_min_length > 0.0, "needle_min_length", "positive");
     require(!interface_max_edge || *interface_max_edge > 0.0, "interface_max_edge", "positive");

@@ -32,7 +32,8 @@ struct Parameters {
     double contact_distance = 0.25;
     /// ... and nearer than this share of the interface edges there. In (0, 1).
     double contact_fraction = 0.5;
-    /// Nearer than this they touch however small the interface edges there are. [edge_length], in (0, contact_distance].
+    /// Nearer than this they touch however small the interface edges there are. [edge_length], in (0,
+    /// contact_distance].
     double contact_minimum = 0.02;
     /// Neighbours of one interface vertex touch only when the angle between them is below this. [rad], in (0, pi).
     double contact_wedge = std::numbers::pi / 6.0;
@@ -53,9 +54,13 @@ struct Parameters {
     double steiner_min_edge = 0.5;
     /// ... unless a face would get an angle below this and below what is there already. [rad], in [0, pi/3).
     double steiner_min_angle = 10.0 * std::numbers::pi / 180.0;
-    /// Faces with a smaller angle are needles and get a vertex in their barycentre; nothing: none. [rad], in (0, pi/3).
+    /// Vertices off the interface at faces with a smaller angle are put elsewhere or removed, if that leaves larger
+    /// angles; nothing: none. [rad], in (0, pi/3).
+    std::optional<double> poor_angle = std::nullopt;
+    /// Faces with a smaller angle are needles, whose longest edge off the interface is halved; nothing: none. [rad], in
+    /// (0, pi/3).
     std::optional<double> needle_angle = std::nullopt;
-    /// ... if their longest edge exceeds this. [edge_length], > 0.
+    /// ... if it exceeds this. [edge_length], > 0.
     double needle_min_length = 3.0;
 
     /// Interface edges that are longer are halved; nothing: never. [edge_length], > 0.

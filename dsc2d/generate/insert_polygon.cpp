@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "dsc2d/generate/locate.h"
 #include "dsc2d/improve/delaunay.h"
+#include "dsc2d/operations/collapse.h"
 #include "dsc2d/operations/flip.h"
 #include "geometry/triangle.h"
 
@@ -18,13 +19,16 @@ using geometry::Sign;
 
 class PolygonInserter {
 public:
-    explicit PolygonInserter(Complex& complex) : complex_(complex), is_side_(complex.edge_attributes(), 0) {}
+    /// `touches_others`: sides and corners may be there already.
+    PolygonInserter(Complex& complex, bool touches_others)
+        : complex_(complex), is_side_(complex.edge_attributes(), 0), touches_others_(touches_others) {}
 
     std::vector<VertexId> insert(std::span<const Point2> corners, int label) {
         if (corners.size() < 3) fail("has fewer than three corners");
         std::vector<CoverVertex> vertices;
         vertices.reserve(corners.size());
-        for (const Point2& corner : corners) vertices.push_back(insert_point(complex_, complex_.domain().snapped(corner)));
+        for (const Point2& corner : corners)
+            vertices.push_back(insert_point(complex_, complex_.domain().snapped(corner)));
 
         std::vector<HalfedgeId> sides;
         for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -42,8 +46,12 @@ public:
         std::vector<VertexId> along;
         along.reserve(sides.size());
         for (const HalfedgeId side : sides) along.push_back(complex_.from(side));
-        for (const VertexId v : along)
-            if (complex_.interface_degree(v) != 2) fail("touches itself or an interface that is there already");
+        if (touches_others_) {
+            remove_between_corners(vertices, along);
+        } else {
+            for (const VertexId v : along)
+                if (complex_.interface_degree(v) != 2) fail("touches itself or an interface that is there already");
+        }
         return along;
     }
 
@@ -68,6 +76,22 @@ private:
             rest -= complex_.vector(side);
             at = complex_.to(side);
         }
+    }
+
+    // Vertices of the complex that happened to lie exactly on a side: the interface is to have no others than it was
+    // given.
+    void remove_between_corners(const std::vector<CoverVertex>& corners, std::vector<VertexId>& along) {
+        std::vector<std::uint8_t> is_corner(complex_.vertex_capacity(), 0);
+        for (const CoverVertex& corner : corners) is_corner[corner.vertex.index()] = 1;
+        for (const VertexId v : along) {
+            if (is_corner[v.index()] != 0 || complex_.is_deleted(v)) continue;
+            for (const HalfedgeId h : complex_.outgoing(v)) {
+                if (!complex_.is_interface(h) || !can_collapse(complex_, h, CollapseRule::coarsen_interface)) continue;
+                collapse(complex_, h);
+                break;
+            }
+        }
+        std::erase_if(along, [&](VertexId v) { return complex_.is_deleted(v); });
     }
 
     struct Crossing {
@@ -133,9 +157,7 @@ private:
             // o runs from left to right; its face lies ahead.
             const Point2 apex = right + complex_.vector(complex_.next(o));
             switch (geometry::orientation(zero, way, apex)) {
-                case Sign::zero:
-                    way = apex;
-                    return;
+                case Sign::zero: way = apex; return;
                 case Sign::positive:
                     left = apex;
                     h = complex_.next(o);
@@ -177,14 +199,22 @@ private:
 
     Complex& complex_;
     core::Attribute<EdgeId, std::uint8_t> is_side_;
+    bool touches_others_;
 };
 
 }  // namespace
 
 std::vector<VertexId> insert_polygon(Complex& complex, std::span<const Point2> corners, int label) {
-    std::vector<VertexId> along = PolygonInserter(complex).insert(corners, label);
+    std::vector<VertexId> along = PolygonInserter(complex, false).insert(corners, label);
     DelaunayPass(complex).run_everywhere(complex);
     return along;
+}
+
+void insert_regions(Complex& complex, std::span<const Region> regions) {
+    for (const Region& region : regions) {
+        PolygonInserter(complex, true).insert(region.outline, region.label);
+        DelaunayPass(complex).run_everywhere(complex);
+    }
 }
 
 std::vector<std::vector<VertexId>> insert_polygons(Complex& complex, std::span<const std::vector<Point2>> polygons,

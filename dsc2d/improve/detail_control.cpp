@@ -2,9 +2,11 @@
 #include "dsc2d/improve/detail_control.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
 
+#include "dsc2d/improve/poor_stars.h"
 #include "dsc2d/operations/collapse.h"
 #include "dsc2d/operations/split.h"
 #include "geometry/triangle.h"
@@ -13,12 +15,27 @@ namespace dsc::dsc2d {
 
 namespace {
 
-double min_angle_of_star(const Complex& complex, VertexId v) {
-    double smallest = std::numbers::pi;
+// Twice the area that the interface loses or wins when v goes; nothing where more than two of its edges meet.
+std::optional<double> loss_without(const Complex& complex, VertexId v) {
+    Point2 sides[2];
+    if (complex.interface_degree(v) != 2) return std::nullopt;
+    int count = 0;
     for (const HalfedgeId h : complex.outgoing(v))
-        smallest = std::min(smallest, geometry::min_angle(Point2::Zero(), complex.vector(h),
-                                                          complex.vector(complex.rotated(h))));
-    return smallest;
+        if (complex.is_interface(h)) sides[count++] = complex.vector(h);
+    return std::abs(geometry::cross(sides[0], sides[1]));
+}
+
+// The way to collapse a short edge of the interface that changes its shape least: corners stay.
+HalfedgeId best_way(const Complex& complex, HalfedgeId h) {
+    HalfedgeId best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const HalfedgeId way : {h, Complex::opposite(h)}) {
+        const std::optional<double> loss = loss_without(complex, complex.from(way));
+        if (!loss || *loss >= least || !can_collapse(complex, way, CollapseRule::coarsen_interface)) continue;
+        least = *loss;
+        best = way;
+    }
+    return best;
 }
 
 void halve_long_edge(PassContext& context, HalfedgeId h) {
@@ -54,7 +71,7 @@ void thin_out(PassContext& context) {
     }
 }
 
-void insert_in_needles(PassContext& context) {
+void split_needles(PassContext& context) {
     if (!context.parameters.needle_angle) return;
     Complex& complex = context.complex;
     const double min_length = context.absolute(context.parameters.needle_min_length);
@@ -62,20 +79,24 @@ void insert_in_needles(PassContext& context) {
     for (std::size_t i = 0; i < count; ++i) {
         const VertexId v = context.active[i];
         if (complex.is_deleted(v)) continue;
-        HalfedgeId needle;
+        HalfedgeId longest;
+        double longest_squared = min_length * min_length;
         for (const HalfedgeId h : complex.outgoing(v)) {
             if (complex.is_boundary(h)) continue;
             const Point2 u = complex.vector(h), w = complex.vector(complex.rotated(h));
-            const double longest = std::max({u.squaredNorm(), w.squaredNorm(), (w - u).squaredNorm()});
-            if (longest < min_length * min_length) continue;
-            if (geometry::min_angle(Point2::Zero(), u, w) < *context.parameters.needle_angle) needle = h;
+            if (geometry::min_angle(Point2::Zero(), u, w) >= *context.parameters.needle_angle) continue;
+            for (const HalfedgeId side : {h, complex.next(h), complex.prev(h)}) {
+                const double squared = complex.vector(side).squaredNorm();
+                if (squared <= longest_squared || complex.is_interface(side)) continue;
+                longest_squared = squared;
+                longest = side;
+            }
         }
-        if (!needle.is_valid()) continue;
-        const Point2 to_barycentre = (complex.vector(needle) + complex.vector(complex.rotated(needle))) / 3.0;
-        const Point2 place = complex.domain().snapped(complex.position(v) + to_barycentre);
-        if (!can_split_face(complex, needle, place)) continue;
-        context.active.add(split_face(complex, needle, place));
-        ++context.report.counts.face_splits;
+        if (!longest.is_valid()) continue;
+        const auto place = can_split_edge(complex, longest, 0.5);
+        if (!place) continue;
+        context.active.add(split_edge(complex, longest, *place));
+        ++context.report.counts.edge_splits;
     }
 }
 
@@ -94,7 +115,8 @@ void respace_interface(PassContext& context) {
             if (!complex.is_interface(h)) continue;
             const double length = complex.length(h);
             if (length > longest) too_long = h;
-            if (length < shortest && can_collapse(complex, h, CollapseRule::coarsen_interface)) too_short = h;
+            if (length >= shortest) continue;
+            if (const HalfedgeId way = best_way(complex, h); way.is_valid()) too_short = way;
         }
         if (too_short.is_valid()) {
             context.collapse_and_tell(too_short);

@@ -5,9 +5,14 @@ namespace dsc::dsc2d {
 
 MoveTogether::MoveTogether(const Complex& complex) : is_moving_(complex.vertex_attributes(), 0) {}
 
+void MoveTogether::forget() {
+    for (const VertexId v : moved_before_) is_moving_[v] = 0;
+    moved_before_.clear();
+}
+
 void MoveTogether::run(Complex& complex, std::span<const VertexId> vertices,
                        const core::Attribute<VertexId, Point2>& target) {
-    for (const VertexId v : moved_before_) is_moving_[v] = 0;
+    forget();
     moved_before_.assign(vertices.begin(), vertices.end());
     for (const VertexId v : vertices) is_moving_[v] = 1;
 

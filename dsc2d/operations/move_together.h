@@ -18,10 +18,12 @@ public:
     explicit MoveTogether(const Complex& complex);
 
     /// Moves a subset of `vertices` to their targets (on the grid): all but those at a face that would turn over, and
-    /// those that then can't move either. True for v in is_moved() until the next run. Precondition: no vertex is on the
-    /// boundary, each occurs once.
+    /// those that then can't move either. True for v in is_moved() until the next run. Precondition: no vertex is on
+    /// the boundary, each occurs once.
     void run(Complex& complex, std::span<const VertexId> vertices, const core::Attribute<VertexId, Point2>& target);
     bool is_moved(VertexId v) const { return is_moving_[v] != 0; }
+    /// Ends the validity of is_moved(); needed before the complex is compacted.
+    void forget();
 
 private:
     core::Attribute<VertexId, std::uint8_t> is_moving_;

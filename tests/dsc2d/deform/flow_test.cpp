@@ -63,9 +63,8 @@ TEST_CASE("a rotated curve keeps its area to 1e-12 per step") {
     const Eigen::Rotation2D<double> turn(2 * pi / steps);
     double area = labelled_area(complex, 1);
     for (int step = 0; step < steps; ++step) {
-        const StepReport report = advance(complex, deformer, [&](VertexId v) {
-            return Point2(turn * complex.position(v) - complex.position(v));
-        });
+        const StepReport report = advance(
+            complex, deformer, [&](VertexId v) { return Point2(turn * complex.position(v) - complex.position(v)); });
         REQUIRE(report.is_complete);
         REQUIRE(report.counts.topology_changes == 0);
         require_valid(complex);
@@ -98,7 +97,8 @@ TEST_CASE("two growing discs merge, and a squeezed one splits") {
     };
     std::size_t changes = 0;
     for (int step = 0; step < 20; ++step) {
-        changes += advance(complex, deformer, [&](VertexId v) { return Point2(0.02 * normal(v)); }).counts.topology_changes;
+        changes +=
+            advance(complex, deformer, [&](VertexId v) { return Point2(0.02 * normal(v)); }).counts.topology_changes;
         require_valid(complex);
     }
     CHECK(changes > 0);

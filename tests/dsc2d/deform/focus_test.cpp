@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A front that focuses: towards the concave side its vertices crowd, and the mesh there is fans along the front. Nothing
-// may hold the vertices back before the front's own focal point.
+// A front that focuses: towards the concave side its vertices crowd, and the mesh there is fans along the front.
+// Nothing may hold the vertices back before the front's own focal point.
 #include <algorithm>
 
 #include "dsc2d/deform/deformer.h"
@@ -16,7 +16,7 @@ using std::numbers::pi;
 namespace {
 
 constexpr double spacing = 0.04;
-constexpr double half_length = 1.0, half_width = 0.6;  // of an ellipse
+constexpr double half_length = 1.0, half_width = 0.6;                     // of an ellipse
 constexpr double focal_distance = half_width * half_width / half_length;  // of its vertices
 
 /// The curve at distance t inside the ellipse.

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/planar/flow.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "apps/flow/planar/held_contacts.h"
+#include "core/errors.h"
+#include "core/stopwatch.h"
+#include "dsc2d/deform/deformer.h"
+#include "io/number.h"
+
+namespace dsc::flow::planar {
+
+using dsc2d::Complex;
+using dsc2d::VertexId;
+
+namespace {
+
+/// Arrays with more deleted elements than this are compacted: when there is no contact, and in any case.
+constexpr double much_garbage = 0.3, too_much_garbage = 0.8;
+/// The motion in a part of a step is not longer than this [edge_length].
+constexpr double motion_share = 0.5;
+/// Where the interface may have to be stopped, its vertices don't come nearer to each other than by this in a part:
+/// otherwise there would be nothing left of the gap when the contact is found [edge_length].
+constexpr double approach_share = 0.1;
+/// The interface comes no nearer to the wall of the box [edge_length].
+constexpr double room_at_wall = 0.25;
+constexpr int most_parts = 10000;
+/// On a torus, vertices further from the domain than this are taken back, likewise [periods].
+constexpr double far = 4, too_far = 16;
+
+class EventList final : public dsc2d::Listener {
+public:
+    void on_event(const dsc2d::Event& event) override { events_.push_back(event); }
+    std::vector<dsc2d::Event> taken() { return std::exchange(events_, {}); }
+
+private:
+    std::vector<dsc2d::Event> events_;
+};
+
+/// The motion that the parts of a step have left over, summed up for each vertex.
+class Lags {
+public:
+    void add(const motion::UnfinishedMotion<2>& motion) {
+        auto [at, is_new] = lags_.try_emplace(motion.vertex.index(), motion);
+        if (is_new) return;
+        at->second.remaining += motion.remaining;
+        at->second.is_locked = motion.is_locked;
+    }
+    void hand_over(const Complex& complex, dsc2d::StepReport& report) const {
+        for (const auto& [index, motion] : lags_) {
+            if (complex.is_deleted(motion.vertex)) continue;
+            report.unfinished.push_back(motion);
+            if (!motion.is_locked) report.is_complete = false;
+        }
+    }
+
+private:
+    std::map<std::uint32_t, motion::UnfinishedMotion<2>> lags_;
+};
+
+class Run {
+public:
+    Run(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, FlowResult& result)
+        : complex_(complex),
+          background_(parameters.background_label),
+          topology_(parameters.topology),
+          edge_length_(parameters.edge_length),
+          targets_(targets),
+          result_(result),
+          deformer_(complex, parameters, events_),
+          unchanged_(complex),
+          components_(complex) {}
+
+    void begin() { result_.steps.push_back(step_record(complex_, 0, 0, unchanged_)); }
+
+    // In as many parts as keep the motion of each below a share of the edge length, so that the mesh can follow, and
+    // velocities are looked up on the way. Throws core::RunError, before anything has moved in this part, when there
+    // are no targets.
+    void take_step() {
+        const int step = result_.steps.back().step + 1;
+        const double start = result_.time.time(step - 1), end = result_.time.time(step);
+        core::Stopwatch watch;
+        tidy();
+        std::vector<std::optional<Point2>> wanted = targets_at(start, end - start);
+        const int parts = parts_of(wanted);
+        dsc2d::StepReport whole;
+        Lags lags;
+        double targets_ms = 0, deform_ms = 0;
+        for (int part = 0; part < parts; ++part) {
+            const double dt = (end - start) / parts;
+            if (parts > 1) wanted = targets_at(start + part * dt, dt);
+            contacts_.release(complex_, wanted);
+            targets_ms += 1e3 * watch.seconds();
+            watch = {};
+            const dsc2d::StepReport report = deformer_.step(wanted);
+            deform_ms += 1e3 * watch.seconds();
+            watch = {};
+            contacts_.add(complex_, report.contacts);
+            whole.counts += report.counts;
+            whole.substeps += report.substeps;
+            for (const auto& motion : report.unfinished) lags.add(motion);
+        }
+        StepRecord record = step_record(complex_, step, end, unchanged_);
+        lags.hand_over(complex_, whole);
+        add_step(record, complex_, whole);
+        add_events(step, end);
+        record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
+        result_.steps.push_back(std::move(record));
+    }
+
+private:
+    // Contacts are known by the numbers and periods of their vertices: they are let go, to be found again, where that
+    // can't be put off.
+    void tidy() {
+        const double garbage = complex_.garbage_fraction(), periods = largest_period();
+        if (garbage > too_much_garbage || periods > too_far) contacts_.release_all(complex_);
+        if (!contacts_.is_empty()) return;
+        if (garbage > much_garbage) complex_.compact();
+        if (periods > far) take_back();
+    }
+
+    Point2 periods(VertexId v) const {
+        return complex_.domain().basis().inverse() * (complex_.position(v) - complex_.domain().origin());
+    }
+
+    double largest_period() const {
+        double largest = 0;
+        for (std::uint32_t i = 0; result_.is_torus && i < complex_.vertex_capacity(); ++i)
+            if (!complex_.is_deleted(VertexId(i)))
+                largest = std::max(largest, periods(VertexId(i)).cwiseAbs().maxCoeff());
+        return largest;
+    }
+
+    void take_back() {
+        for (std::uint32_t i = 0; i < complex_.vertex_capacity(); ++i) {
+            if (complex_.is_deleted(VertexId(i))) continue;
+            complex_.reanchor(VertexId(i), -periods(VertexId(i)).array().floor().cast<int>().matrix());
+        }
+    }
+
+    std::vector<std::optional<Point2>> targets_at(double time, double dt) const {
+        std::vector<std::optional<Point2>> wanted = targets_(complex_, time, dt);
+        require_places(wanted, time);
+        return wanted;
+    }
+
+    int parts_of(const std::vector<std::optional<Point2>>& wanted) const {
+        const auto motion = [&](VertexId v) {
+            return wanted[v.index()] ? Point2(*wanted[v.index()] - complex_.position(v)) : Point2(Point2::Zero());
+        };
+        double parts = 1;
+        for (std::uint32_t i = 0; i < wanted.size(); ++i)
+            if (wanted[i]) parts = std::max(parts, motion(VertexId(i)).norm() / (motion_share * edge_length_));
+        if (topology_ != motion::TopologyPolicy::adaptive) {
+            for (std::uint32_t i = 0; i < complex_.edge_capacity(); ++i) {
+                if (complex_.is_deleted(core::EdgeId(i))) continue;
+                const core::HalfedgeId h = Complex::halfedge(core::EdgeId(i));
+                const VertexId a = complex_.from(h), b = complex_.to(h);
+                if (!complex_.is_interface(a) || !complex_.is_interface(b)) continue;
+                const Point2 gap = complex_.vector(h);
+                const double length = gap.norm(), approach = -(motion(b) - motion(a)).dot(gap) / length;
+                if (length < edge_length_) parts = std::max(parts, approach / (approach_share * edge_length_));
+            }
+        }
+        return static_cast<int>(std::ceil(std::min(parts, 1.0 * most_parts)));
+    }
+
+    void require_places(const std::vector<std::optional<Point2>>& wanted, double time) const {
+        for (std::uint32_t i = 0; i < wanted.size(); ++i) {
+            if (!wanted[i]) continue;
+            const Point2& p = complex_.position(VertexId(i));
+            const bool is_finite = wanted[i]->allFinite();
+            if (is_finite && (result_.is_torus || has_room(p, *wanted[i]))) continue;
+            const char* problem = is_finite ? "leads out of the box" : "is not finite";
+            throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}) {} at time {}", i, p.x(),
+                                             p.y(), problem, io::number_text(time, 6)));
+        }
+    }
+
+    // Between the interface and the wall of the box, there has to be room for the mesh.
+    bool has_room(const Point2& from, const Point2& to) const {
+        const auto distance = [&](const Point2& p) {
+            return std::min((p - result_.domain.min()).minCoeff(), (result_.domain.max() - p).minCoeff());
+        };
+        return distance(to) >= std::min(room_at_wall * edge_length_, distance(from));
+    }
+
+    void add_events(int step, double time) {
+        const auto add = [&](const char* kind, const Point2& place, int label) {
+            result_.events.push_back({.kind = kind, .step = step, .time = time, .place = place, .label = label});
+        };
+        for (const dsc2d::Event& event : events_.taken()) {
+            const bool is_contact = event.kind == motion::EventKind::contact;
+            add(is_contact ? "contact" : event.label == background_ ? "merge" : "split", event.place, event.label);
+        }
+        for (const auto& [label, centroid] : components_.update(complex_)) add("vanish", centroid, label);
+    }
+
+    Complex& complex_;
+    int background_;
+    motion::TopologyPolicy topology_;
+    double edge_length_;
+    const Targets& targets_;
+    FlowResult& result_;
+    EventList events_;
+    dsc2d::Deformer deformer_;
+    HeldContacts contacts_;
+    UnchangedEdges unchanged_;
+    ComponentTracker components_;
+};
+
+}  // namespace
+
+void run_flow(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, Snapshots& snapshots,
+              core::Observer& observer, FlowResult& result) {
+    const core::Stopwatch whole;
+    Run run(complex, parameters, targets, result);
+    run.begin();
+    snapshots.add(complex, 0, 0);
+    result.end = FlowEnd::done;
+    result.reason = "done";
+    while (result.steps.back().step < result.time.count) {
+        if (observer.is_cancelled()) {
+            result.end = FlowEnd::cancelled;
+            result.reason = "stopped by the user";
+            break;
+        }
+        try {
+            run.take_step();
+        } catch (const core::RunError& error) {
+            result.end = FlowEnd::stopped;
+            result.reason = error.what();
+            break;
+        }
+        const StepRecord& record = result.steps.back();
+        snapshots.add(complex, record.step, record.time);
+        observer.progress("flowing", static_cast<double>(record.step) / result.time.count,
+                          fmt::format("step {}, {} triangles, smallest angle {:.1f}", record.step, record.triangles,
+                                      record.min_angle));
+        if (record.interface_edges == 0) {
+            result.end = FlowEnd::vanished;
+            result.reason = "the interface has vanished";
+            break;
+        }
+    }
+    snapshots.add_last(complex, result.steps.back().step, result.steps.back().time);
+    result.seconds = whole.seconds();
+}
+
+}  // namespace dsc::flow::planar

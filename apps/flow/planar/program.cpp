@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/planar/program.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "apps/common/progress.h"
+#include "apps/common/run_main.h"
+#include "apps/flow/planar/flow.h"
+#include "apps/flow/planar/initial_complex.h"
+#include "core/errors.h"
+#include "dsc2d/interface.h"
+#include "geometry/surface_data.h"
+#include "io/atomic_file.h"
+#include "io/number.h"
+#include "io/planar_mesh.h"
+
+namespace dsc::flow::planar {
+
+using dsc2d::Complex;
+
+namespace {
+
+// A vertex of a torus is written once for each period in which something needs it.
+class PlaceNumbers {
+public:
+    explicit PlaceNumbers(const Complex& complex) : complex_(complex) {}
+
+    std::uint32_t number(core::VertexId v, const dsc2d::LatticeVector& cell) {
+        const auto [at, is_new] =
+            numbers_.try_emplace({v.index(), cell.x(), cell.y()}, static_cast<std::uint32_t>(places_.size()));
+        if (is_new) places_.push_back(complex_.position(v) + complex_.domain().translation(cell));
+        return at->second;
+    }
+    const std::vector<Point2>& places() const { return places_; }
+
+private:
+    const Complex& complex_;
+    std::map<std::tuple<std::uint32_t, int, int>, std::uint32_t> numbers_;
+    std::vector<Point2> places_;
+};
+
+std::string curve_obj(const Complex& complex) {
+    PlaceNumbers numbers(complex);
+    std::string lines;
+    for (const dsc2d::InterfaceCurve& curve : dsc2d::interface_curves(complex)) {
+        lines += "l";
+        for (const dsc2d::CurvePoint& point : curve.points)
+            lines += " " + std::to_string(numbers.number(point.vertex, point.cell) + 1);
+        lines += "\n";
+    }
+    std::string text;
+    for (const Point2& p : numbers.places())
+        text += "v " + io::number_text(p.x()) + " " + io::number_text(p.y()) + " 0\n";
+    return text + lines;
+}
+
+geometry::SurfaceData triangle_data(const Complex& complex) {
+    PlaceNumbers numbers(complex);
+    geometry::SurfaceData data;
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        const core::FaceId f(i);
+        if (complex.is_deleted(f)) continue;
+        core::HalfedgeId h = complex.halfedge(f);
+        dsc2d::LatticeVector cell = dsc2d::LatticeVector::Zero();
+        std::array<std::uint32_t, 3> triangle{};
+        for (std::uint32_t& v : triangle) {
+            v = numbers.number(complex.from(h), cell);
+            cell += complex.offset(h);
+            h = complex.next(h);
+        }
+        data.triangles.push_back(triangle);
+        data.labels.push_back(complex.label(f));
+    }
+    for (const Point2& p : numbers.places()) data.vertices.emplace_back(p.x(), p.y(), 0);
+    return data;
+}
+
+// The natural name for going on from a result would be lost with it.
+void require_other_file(const flow::Options& options) {
+    const ShapeOptions& shape = options.planar->shape;
+    std::error_code absent;
+    if (shape.shape == Shape::file &&
+        std::filesystem::equivalent(shape.path, std::filesystem::path(options.folder) / "final.mesh", absent))
+        throw core::UsageError(shape.path + " would be overwritten by the result; choose another folder for -o");
+}
+
+std::string name_of_folder(const std::filesystem::path& folder) {
+    std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+    if (path.filename().empty()) path = path.parent_path();
+    return path.filename().string();
+}
+
+void write_results(const flow::Options& options, const Complex& complex, const FlowResult& result,
+                   const Snapshots& snapshots) {
+    const std::filesystem::path folder = options.folder;
+    io::write_file(folder / "final.obj", curve_obj(complex));
+    io::write_planar_mesh(folder / "final.mesh", triangle_data(complex));
+    const std::string report = report_json(result, options.given).dump(1) + "\n";
+    io::write_file(folder / "report.json", report);
+    if (options.common.json) io::write_file(*options.common.json, report);
+    if (options.snapshots > 0) {
+        io::write_html_page(folder / "index.html", html_page(result, complex, snapshots, name_of_folder(folder)));
+        return;
+    }
+    // What an earlier run has left and this one does not replace would be taken for its own.
+    for (const char* name : {"series.pvd", "index.html"}) {
+        std::error_code absent;
+        std::filesystem::remove(folder / name, absent);
+    }
+}
+
+}  // namespace
+
+int run(const flow::Options& options) {
+    const Options& planar = *options.planar;
+    require_other_file(options);
+    apps::ProgressObserver observer(options.common.progress);
+    InitialComplex initial = initial_complex(planar.shape);
+    flow::MotionOptions end_of_motion;
+    end_of_motion.period = planar.motion.period;
+    if (planar.motion.motion == Motion::vortex) end_of_motion.motion = flow::Motion::vortex;
+    FlowResult result{.domain = initial.domain,
+                      .is_torus = planar.shape.is_torus,
+                      .edge_length = initial.edge_length,
+                      .time = time_steps(options.time, end_of_motion)};
+    const Targets targets = motion_targets(planar.motion, initial.domain, initial.edge_length, result.time.until);
+    Snapshots snapshots(options.folder, result.time.count, options.snapshots);
+    run_flow(initial.complex, deformation(initial, options.topology), targets, snapshots, observer, result);
+    write_results(options, initial.complex, result, snapshots);
+    observer.clear();
+    if (!options.common.quiet) fmt::print("{}", report_text(result));
+    if (result.end == FlowEnd::cancelled || result.end == FlowEnd::stopped)
+        throw core::RunError(result.reason + "; " + options.folder + " has the state before");
+    return apps::exit_done;
+}
+
+}  // namespace dsc::flow::planar

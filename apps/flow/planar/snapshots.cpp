@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/planar/snapshots.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "apps/flow/snapshots.h"
+#include "core/assert.h"
+#include "dsc2d/interface.h"
+#include "io/number.h"
+
+namespace dsc::flow::planar {
+
+using dsc2d::Complex;
+using dsc2d::InterfaceCurve;
+
+namespace {
+
+/// Of the sides with the higher label; then again from the first.
+constexpr std::array colours = {"#8a9aa8", "#1f5fa8", "#d98032", "#3f8f3c", "#b05a8f", "#c9b03a"};
+
+Eigen::Vector3d lifted(const Point2& p) { return {p.x(), p.y(), 0}; }
+
+// The translation that takes a place into the period of the domain.
+Point2 into_domain(const dsc2d::Domain& domain, const Point2& place) {
+    const Point2 shares = domain.basis().inverse() * (place - domain.origin());
+    dsc2d::LatticeVector cell = dsc2d::LatticeVector::Zero();
+    for (int k = 0; k < 2; ++k)
+        if (domain.is_periodic(k)) cell[k] = -static_cast<int>(std::floor(shares[k]));
+    return domain.translation(cell);
+}
+
+io::ViewLine drawn(const Complex& complex, const InterfaceCurve& curve) {
+    const Point2 shift = into_domain(complex.domain(), curve.points.front().place);
+    io::ViewLine line;
+    for (const dsc2d::CurvePoint& point : curve.points) line.push_back(lifted(point.place + shift));
+    return line;
+}
+
+io::ViewLines box_lines(const Eigen::AlignedBox2d& box) {
+    const Point2 low = box.min(), high = box.max();
+    io::ViewLine outline;
+    for (const Point2& p : {low, Point2(high.x(), low.y()), high, Point2(low.x(), high.y()), low})
+        outline.push_back(lifted(p));
+    return {.name = "domain", .lines = {outline}, .colour = "#909090", .width = 1};
+}
+
+io::ViewLines mesh_lines(const Complex& complex) {
+    io::ViewLines mesh{.name = "mesh at the end", .colour = "#b8c4cc", .width = 1, .is_visible = false};
+    for (std::uint32_t i = 0; i < complex.edge_capacity(); ++i) {
+        const core::EdgeId e(i);
+        if (complex.is_deleted(e) || complex.is_interface(e)) continue;
+        const core::HalfedgeId h = Complex::halfedge(e);
+        const Point2 from = complex.position(complex.from(h));
+        const Point2 begin = from + into_domain(complex.domain(), from);
+        mesh.lines.push_back({lifted(begin), lifted(begin + complex.vector(h))});
+    }
+    return mesh;
+}
+
+}  // namespace
+
+io::PolyData curve_data(const Complex& complex) {
+    io::PolyData data;
+    io::VtkData left{.name = "left_label"}, right{.name = "right_label"};
+    for (const InterfaceCurve& curve : dsc2d::interface_curves(complex)) {
+        io::ViewLine line = drawn(complex, curve);
+        const auto first = static_cast<std::uint32_t>(data.points.size());
+        const bool is_loop = line.front() == line.back();
+        if (is_loop) line.pop_back();
+        std::vector<std::uint32_t>& indices = data.lines.emplace_back();
+        for (const Eigen::Vector3d& p : line) {
+            indices.push_back(static_cast<std::uint32_t>(data.points.size()));
+            data.points.push_back(p);
+        }
+        if (is_loop) indices.push_back(first);
+        left.values.push_back(curve.left);
+        right.values.push_back(curve.right);
+    }
+    data.cell_data = {left, right};
+    return data;
+}
+
+Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : steps_(steps), count_(count) {
+    if (count > 0) files_.emplace(folder, "series");
+}
+
+void Snapshots::keep(const Complex& complex, int step, double time) {
+    DSC_ASSERT(step > last_step_);
+    last_step_ = step;
+    times_.push_back(time);
+    Lines& lines = frames_.emplace_back();
+    for (const InterfaceCurve& curve : dsc2d::interface_curves(complex))
+        lines[{curve.right, curve.left}].push_back(drawn(complex, curve));
+    files_->add(time, curve_data(complex));
+}
+
+void Snapshots::add(const Complex& complex, int step, double time) {
+    if (is_snapshot(step, steps_, count_)) keep(complex, step, time);
+}
+
+void Snapshots::add_last(const Complex& complex, int step, double time) {
+    if (count_ > 0 && step != last_step_) keep(complex, step, time);
+}
+
+std::vector<io::ViewSeries> Snapshots::series() const {
+    std::map<std::array<int, 2>, io::ViewSeries> by_labels;
+    for (const Lines& frame : frames_)
+        for (const auto& [labels, lines] : frame) by_labels.try_emplace(labels);
+    std::vector<io::ViewSeries> result;
+    for (auto& [labels, series] : by_labels) {
+        series.name = "between " + std::to_string(labels[0]) + " and " + std::to_string(labels[1]);
+        series.colour = colours[static_cast<std::size_t>(std::abs(labels[1])) % colours.size()];
+        series.width = 2.5;
+        series.times = times_;
+        for (const Lines& frame : frames_) {
+            const auto found = frame.find(labels);
+            series.frames.push_back(found == frame.end() ? std::vector<io::ViewLine>{} : found->second);
+        }
+        result.push_back(std::move(series));
+    }
+    return result;
+}
+
+io::HtmlPage html_page(const FlowResult& result, const Complex& last, const Snapshots& snapshots,
+                       const std::string& title) {
+    DSC_ASSERT(!result.steps.empty());
+    io::HtmlPage page{.title = title};
+    const StepRecord &start = result.steps.front(), &end = result.steps.back();
+    const auto add = [&](const std::string& name, const auto& figure) {
+        page.facts.emplace_back(name, figure(start) + " → " + figure(end));
+    };
+    add("triangles", [](const StepRecord& step) { return std::to_string(step.triangles); });
+    add("interface edges", [](const StepRecord& step) { return std::to_string(step.interface_edges); });
+    add("smallest angle", [](const StepRecord& step) { return fmt::format("{:.2f}°", step.min_angle); });
+    for (const dsc2d::LabelStatistics& label : start.labels) {
+        add("area of label " + std::to_string(label.label), [&](const StepRecord& step) {
+            const auto found = std::ranges::find(step.labels, label.label, &dsc2d::LabelStatistics::label);
+            return found == step.labels.end() ? std::string("0") : io::number_text(found->area, 6);
+        });
+    }
+    page.facts.emplace_back("events", std::to_string(result.events.size()));
+    page.facts.emplace_back("end", result.reason);
+    io::HtmlView view{.name = "interface", .is_flat = true};
+    view.series = snapshots.series();
+    view.lines = {box_lines(result.domain), mesh_lines(last)};
+    io::ViewPoints events{.name = "events"};
+    for (const FlowEvent& event : result.events) {
+        events.positions.push_back(lifted(event.place));
+        events.labels.push_back(event.kind + " at time " + io::number_text(event.time, 6));
+    }
+    if (!events.positions.empty()) view.points.push_back(std::move(events));
+    page.views.push_back(std::move(view));
+    return page;
+}
+
+}  // namespace dsc::flow::planar

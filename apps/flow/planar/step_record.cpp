@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/flow/planar/step_record.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/disjoint_sets.h"
+#include "geometry/triangle.h"
+
+namespace dsc::flow::planar {
+
+using core::EdgeId;
+using core::FaceId;
+using core::VertexId;
+using dsc2d::Complex;
+
+namespace {
+
+void judge_triangles(const Complex& complex, StepRecord& record) {
+    double least = std::numbers::pi, greatest = 0;
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        if (complex.is_deleted(FaceId(i))) continue;
+        const auto [a, b, c] = complex.corners(FaceId(i));
+        record.inverted += geometry::is_counterclockwise(a, b, c) ? 0 : 1;
+        least = std::min(least, geometry::min_angle(a, b, c));
+        greatest = std::max(greatest, geometry::max_angle(a, b, c));
+    }
+    record.min_angle = least * 180 / std::numbers::pi;
+    record.max_angle = greatest * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+UnchangedEdges::UnchangedEdges(const Complex& complex) : number_(complex.vertex_attributes(), 0) {
+    for (std::uint32_t i = 0; i < complex.vertex_capacity(); ++i) number_[VertexId(i)] = i + 1;
+    first_ = numbered_edges(complex);
+}
+
+std::vector<UnchangedEdges::Key> UnchangedEdges::numbered_edges(const Complex& complex) const {
+    std::vector<Key> keys;
+    for (std::uint32_t i = 0; i < complex.edge_capacity(); ++i) {
+        const EdgeId e(i);
+        if (complex.is_deleted(e) || !complex.is_interface(e)) continue;
+        const std::uint32_t a = number_[complex.from(Complex::halfedge(e))];
+        const std::uint32_t b = number_[complex.to(Complex::halfedge(e))];
+        keys.push_back({std::min(a, b), std::max(a, b)});
+    }
+    std::ranges::sort(keys);
+    return keys;
+}
+
+double UnchangedEdges::share(const Complex& complex) const {
+    if (first_.empty()) return 1;
+    std::vector<Key> kept;
+    std::ranges::set_intersection(first_, numbered_edges(complex), std::back_inserter(kept));
+    return static_cast<double>(kept.size()) / static_cast<double>(first_.size());
+}
+
+ComponentTracker::ComponentTracker(const Complex& complex) : component_(complex.face_attributes(), 0) {
+    number_components(complex);
+}
+
+std::vector<ComponentTracker::Component> ComponentTracker::update(const Complex& complex) {
+    std::vector<std::uint8_t> is_there(components_.size(), 0);
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        const FaceId f(i);
+        if (complex.is_deleted(f) || component_[f] == 0) continue;
+        if (components_[component_[f] - 1].label == complex.label(f)) is_there[component_[f] - 1] = 1;
+    }
+    std::vector<Component> vanished;
+    for (std::size_t i = 0; i < components_.size(); ++i)
+        if (is_there[i] == 0) vanished.push_back(components_[i]);
+    number_components(complex);
+    return vanished;
+}
+
+void ComponentTracker::number_components(const Complex& complex) {
+    core::DisjointSets parts(complex.face_capacity());
+    for (std::uint32_t i = 0; i < complex.edge_capacity(); ++i) {
+        const EdgeId e(i);
+        if (complex.is_deleted(e) || complex.is_boundary(e) || complex.is_interface(e)) continue;
+        const core::HalfedgeId h = Complex::halfedge(e);
+        parts.unite(complex.face(h).index(), complex.face(Complex::opposite(h)).index());
+    }
+    components_.clear();
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        const FaceId f(i);
+        if (complex.is_deleted(f)) continue;
+        const std::uint32_t first = parts.find(i);
+        if (first == i) {
+            const auto [a, b, c] = complex.corners(f);
+            components_.push_back({complex.label(f), (a + b + c) / 3});
+            component_[f] = static_cast<std::uint32_t>(components_.size());
+        } else {
+            component_[f] = component_[FaceId(first)];
+        }
+    }
+}
+
+StepRecord step_record(const Complex& complex, int step, double time, const UnchangedEdges& unchanged) {
+    StepRecord record{.step = step, .time = time};
+    record.vertices = complex.vertex_count();
+    record.triangles = complex.face_count();
+    record.unchanged_share = unchanged.share(complex);
+    for (std::uint32_t i = 0; i < complex.edge_capacity(); ++i)
+        record.interface_edges += !complex.is_deleted(EdgeId(i)) && complex.is_interface(EdgeId(i)) ? 1 : 0;
+    record.labels = dsc2d::label_statistics(complex);
+    judge_triangles(complex, record);
+    return record;
+}
+
+void add_step(StepRecord& record, const Complex& complex, const motion::StepReport<2>& report) {
+    record.is_complete = report.is_complete;
+    record.substeps = report.substeps;
+    for (const auto& motion : report.unfinished)
+        record.unfinished.push_back({complex.position(motion.vertex), motion.remaining, motion.is_locked});
+    record.counts = report.counts;
+}
+
+}  // namespace dsc::flow::planar
