@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "apps/flow/run_steps.h"
 #include "core/errors.h"
 #include "core/stopwatch.h"
 #include "io/number.h"
@@ -26,64 +27,64 @@ void add_contacts(const dsc3d::StepReport& report, int step, double time, FlowRe
             {.kind = "contact", .step = step, .time = time, .place = contact.place, .label = contact.label});
 }
 
-// Throws core::RunError, before anything has moved, when there are no targets.
-void take_step(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets,
-               const UnchangedTriangles& unchanged, FlowResult& result) {
-    const int step = result.steps.back().step + 1;
-    const double start = result.time.time(step - 1), time = result.time.time(step);
-    core::Stopwatch watch;
-    const std::vector<std::optional<Point3>> wanted = targets(mesh, start, time - start);
-    require_places(mesh, wanted, start);
-    const double targets_ms = 1e3 * watch.seconds();
-    watch = {};
-    const dsc3d::StepReport report = deformer.step(wanted);
-    const double deform_ms = 1e3 * watch.seconds();
-    watch = {};
-    StepRecord record = step_record(mesh, step, time, unchanged);
-    add_step(record, report);
-    add_contacts(report, step, time, result);
-    record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
-    result.steps.push_back(std::move(record));
-}
+class Run {
+public:
+    Run(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets, Snapshots& snapshots, FlowResult& result)
+        : mesh_(mesh),
+          deformer_(deformer),
+          targets_(targets),
+          snapshots_(snapshots),
+          result_(result),
+          unchanged_(mesh) {}
+
+    void begin() {
+        result_.steps.push_back(step_record(mesh_, 0, 0, unchanged_));
+        keep(result_.steps.back());
+    }
+
+    // Throws core::RunError, before anything has moved, when there are no targets.
+    void take_step() {
+        const int step = result_.steps.back().step + 1;
+        const double start = result_.time.time(step - 1), time = result_.time.time(step);
+        core::Stopwatch watch;
+        const std::vector<std::optional<Point3>> wanted = targets_(mesh_, start, time - start);
+        require_places(mesh_, wanted, start);
+        const double targets_ms = 1e3 * watch.seconds();
+        watch = {};
+        const dsc3d::StepReport report = deformer_.step(wanted);
+        const double deform_ms = 1e3 * watch.seconds();
+        watch = {};
+        StepRecord record = step_record(mesh_, step, time, unchanged_);
+        add_step(record, report);
+        add_contacts(report, step, time, result_);
+        record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
+        result_.steps.push_back(std::move(record));
+    }
+
+    void keep(const StepRecord& record) { snapshots_.add(mesh_, record.step, record.time); }
+    bool is_empty(const StepRecord& record) const { return record.interface_faces == 0; }
+    std::string describe(const StepRecord& record) const {
+        return fmt::format("step {}, {} tetrahedra, smallest angle {:.1f}", record.step, record.tets,
+                           record.min_dihedral);
+    }
+
+private:
+    dsc3d::Mesh& mesh_;
+    dsc3d::Deformer& deformer_;
+    const Targets& targets_;
+    Snapshots& snapshots_;
+    FlowResult& result_;
+    UnchangedTriangles unchanged_;
+};
 
 }  // namespace
 
 void run_flow(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets, Snapshots& snapshots,
               core::Observer& observer, FlowResult& result) {
-    const core::Stopwatch whole;
-    const UnchangedTriangles unchanged(mesh);
-    if (result.steps.empty()) {
-        result.steps.push_back(step_record(mesh, 0, 0, unchanged));
-        snapshots.add(mesh, 0, 0);
-    }
-    result.end = FlowEnd::done;
-    result.reason = "done";
-    while (result.steps.back().step < result.time.count) {
-        if (observer.is_cancelled()) {
-            result.end = FlowEnd::cancelled;
-            result.reason = "stopped by the user";
-            break;
-        }
-        try {
-            take_step(mesh, deformer, targets, unchanged, result);
-        } catch (const core::RunError& error) {
-            result.end = FlowEnd::stopped;
-            result.reason = error.what();
-            break;
-        }
-        const StepRecord& record = result.steps.back();
-        snapshots.add(mesh, record.step, record.time);
-        observer.progress("flowing", static_cast<double>(record.step) / result.time.count,
-                          fmt::format("step {}, {} tetrahedra, smallest angle {:.1f}", record.step, record.tets,
-                                      record.min_dihedral));
-        if (result.steps.back().interface_faces == 0) {
-            result.end = FlowEnd::vanished;
-            result.reason = "the interface has vanished";
-            break;
-        }
-    }
+    Run run(mesh, deformer, targets, snapshots, result);
+    if (result.steps.empty()) run.begin();
+    run_steps(result, run, observer);
     snapshots.add_last(mesh, result.steps.back().step, result.steps.back().time);
-    result.seconds += whole.seconds();
 }
 
 }  // namespace dsc::flow

@@ -8,11 +8,11 @@
 #include "apps/common/run_main.h"
 #include "apps/flow/flow.h"
 #include "apps/flow/initial_mesh.h"
+#include "apps/flow/output.h"
 #include "apps/flow/planar/program.h"
 #include "apps/flow/targets.h"
 #include "core/errors.h"
 #include "dsc3d/interface.h"
-#include "io/atomic_file.h"
 #include "io/surface_mesh.h"
 #include "io/tet_mesh.h"
 
@@ -20,46 +20,13 @@ namespace dsc::flow {
 
 namespace {
 
-// The natural name for going on from a result would be lost with it.
-void require_other_files(const Options& options) {
-    if (options.shape.shape != Shape::file) return;
-    const std::filesystem::path folder = options.folder;
-    for (const char* name : {"final.obj", "final.mesh"}) {
-        std::error_code absent;
-        if (std::filesystem::equivalent(options.shape.path, folder / name, absent))
-            throw core::UsageError(options.shape.path +
-                                   " would be overwritten by the result; choose another folder for -o");
-    }
-}
-
-// What an earlier run has left and this one does not replace would be taken for its own.
-void remove_earlier_series(const std::filesystem::path& folder) {
-    for (const char* name : {"series.pvd", "index.html"}) {
-        std::error_code absent;
-        std::filesystem::remove(folder / name, absent);
-    }
-}
-
-// The last name of the path, also of one that ends in a slash or is a dot.
-std::string name_of_folder(const std::filesystem::path& folder) {
-    std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
-    if (path.filename().empty()) path = path.parent_path();
-    return path.filename().string();
-}
-
 void write_results(const Options& options, const dsc3d::Mesh& mesh, const FlowResult& result,
                    const Snapshots& snapshots) {
     const std::filesystem::path folder = options.folder;
     io::write_surface_mesh(folder / "final.obj", dsc3d::Interface(mesh).data.surface);
     io::write_tet_mesh(folder / "final.mesh", mesh.data());
-    const std::string report = report_json(result, options.given).dump(1) + "\n";
-    io::write_file(folder / "report.json", report);
-    if (options.common.json) io::write_file(*options.common.json, report);
-    if (options.snapshots > 0) {
-        io::write_html_page(folder / "index.html", html_page(result, snapshots, name_of_folder(folder)));
-    } else {
-        remove_earlier_series(folder);
-    }
+    write_reports(options, report_json(result, options.given),
+                  [&](const std::string& title) { return html_page(result, snapshots, title); });
 }
 
 int run(int argc, const char* const* argv) {
@@ -70,7 +37,7 @@ int run(int argc, const char* const* argv) {
     if (options->planar) return planar::run(*options);
     if (options->topology != motion::TopologyPolicy::preserved)
         throw core::UsageError("--topology: only preserved is there yet; interfaces that meet are stopped");
-    require_other_files(*options);
+    if (options->shape.shape == Shape::file) require_other_files(options->shape.path, options->folder);
     apps::ProgressObserver observer(options->common.progress);
     const InitialMesh initial = initial_mesh(options->shape, observer);
     FlowResult result{.domain = initial.domain,
@@ -84,8 +51,7 @@ int run(int argc, const char* const* argv) {
     write_results(*options, mesh, result, snapshots);
     observer.clear();
     if (!options->common.quiet) fmt::print("{}", report_text(result));
-    if (result.end == FlowEnd::cancelled || result.end == FlowEnd::stopped)
-        throw core::RunError(result.reason + "; " + options->folder + " has the state before");
+    require_end(result.end, result.reason, options->folder);
     return apps::exit_done;
 }
 

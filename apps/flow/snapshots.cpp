@@ -3,12 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
 
+#include "apps/flow/report_parts.h"
 #include "core/assert.h"
 #include "dsc3d/interface.h"
 #include "io/number.h"
@@ -18,9 +18,6 @@ namespace dsc::flow {
 using geometry::InterfaceData;
 
 namespace {
-
-/// Of the sides behind the triangles, by label; then again from the first.
-constexpr std::array colours = {"#8a9aa8", "#4a7ab5", "#d98032", "#5a9e57", "#b05a8f", "#c9b03a"};
 
 io::PolyData poly_data(const InterfaceData& interface) {
     io::PolyData data{.points = interface.surface.vertices};
@@ -103,9 +100,8 @@ std::vector<io::ViewSurfaceSeries> Snapshots::series() const {
         for (const auto& labels : frame.interface.sides) by_labels.try_emplace(labels);
     std::vector<io::ViewSurfaceSeries> result;
     for (auto& [labels, series] : by_labels) {
-        const auto behind = static_cast<std::size_t>(std::abs(labels[1]));
-        series.name = "between " + std::to_string(labels[0]) + " and " + std::to_string(labels[1]);
-        series.colour = colours[behind % colours.size()];
+        series.name = sides_name(labels[0], labels[1]);
+        series.colour = label_colour(labels[1]);
         for (const Frame& frame : frames_) {
             series.times.push_back(frame.time);
             series.frames.push_back(part(frame.interface, labels));
@@ -127,22 +123,15 @@ io::HtmlPage html_page(const FlowResult& result, const Snapshots& snapshots, con
     add("smallest angle", [](const StepRecord& step) { return fmt::format("{:.2f}°", step.min_dihedral); });
     for (const dsc3d::LabelStatistics& label : first.labels) {
         const std::string name = "volume of label " + std::to_string(label.label);
-        add(name, [&](const StepRecord& step) {
-            const auto found = std::ranges::find(step.labels, label.label, &dsc3d::LabelStatistics::label);
-            return found == step.labels.end() ? std::string("0") : io::number_text(found->volume, 6);
-        });
+        const auto volume = [](const auto& found) { return io::number_text(found.volume, 6); };
+        add(name, [&](const StepRecord& step) { return label_figure(step, label.label, volume, "0"); });
     }
     page.facts.emplace_back("events", std::to_string(result.events.size()));
     page.facts.emplace_back("end", result.reason);
     io::HtmlView view{.name = "interface"};
     view.surface_series = snapshots.series();
     view.lines.push_back(box_lines(result.domain));
-    io::ViewPoints events{.name = "events"};
-    for (const FlowEvent& event : result.events) {
-        events.positions.push_back(event.place);
-        events.labels.push_back(event.kind + " at time " + io::number_text(event.time, 6));
-    }
-    if (!events.positions.empty()) view.points.push_back(std::move(events));
+    if (auto events = event_points(result.events)) view.points.push_back(std::move(*events));
     page.views.push_back(std::move(view));
     return page;
 }

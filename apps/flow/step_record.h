@@ -16,15 +16,6 @@ namespace dsc::flow {
 
 using geometry::Point3;
 
-/// Something that happened once, in report.json and for the reader of the page.
-struct FlowEvent {
-    std::string kind;  ///< "merge", "split", "vanish", "contact", ...
-    int step = 0;
-    double time = 0;
-    Point3 place = Point3::Zero();
-    int label = 0;
-};
-
 struct StepRecord {
     int step = 0;  ///< 0: before the first one
     double time = 0;

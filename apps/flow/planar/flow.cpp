@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "apps/flow/planar/held_contacts.h"
+#include "apps/flow/run_steps.h"
 #include "core/errors.h"
 #include "core/stopwatch.h"
 #include "dsc2d/deform/deformer.h"
@@ -66,18 +67,23 @@ private:
 
 class Run {
 public:
-    Run(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, FlowResult& result)
+    Run(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, Snapshots& snapshots,
+        FlowResult& result)
         : complex_(complex),
           background_(parameters.background_label),
           topology_(parameters.topology),
           edge_length_(parameters.edge_length),
           targets_(targets),
+          snapshots_(snapshots),
           result_(result),
           deformer_(complex, parameters, events_),
           unchanged_(complex),
           components_(complex) {}
 
-    void begin() { result_.steps.push_back(step_record(complex_, 0, 0, unchanged_)); }
+    void begin() {
+        result_.steps.push_back(step_record(complex_, 0, 0, unchanged_));
+        keep(result_.steps.back());
+    }
 
     // In as many parts as keep the motion of each below a share of the edge length, so that the mesh can follow, and
     // velocities are looked up on the way. Throws core::RunError, before anything has moved in this part, when there
@@ -112,6 +118,13 @@ public:
         add_events(step, end);
         record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
         result_.steps.push_back(std::move(record));
+    }
+
+    void keep(const StepRecord& record) { snapshots_.add(complex_, record.step, record.time); }
+    bool is_empty(const StepRecord& record) const { return record.interface_edges == 0; }
+    std::string describe(const StepRecord& record) const {
+        return fmt::format("step {}, {} triangles, smallest angle {:.1f}", record.step, record.triangles,
+                           record.min_angle);
     }
 
 private:
@@ -207,6 +220,7 @@ private:
     motion::TopologyPolicy topology_;
     double edge_length_;
     const Targets& targets_;
+    Snapshots& snapshots_;
     FlowResult& result_;
     EventList events_;
     dsc2d::Deformer deformer_;
@@ -219,38 +233,10 @@ private:
 
 void run_flow(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, Snapshots& snapshots,
               core::Observer& observer, FlowResult& result) {
-    const core::Stopwatch whole;
-    Run run(complex, parameters, targets, result);
+    Run run(complex, parameters, targets, snapshots, result);
     run.begin();
-    snapshots.add(complex, 0, 0);
-    result.end = FlowEnd::done;
-    result.reason = "done";
-    while (result.steps.back().step < result.time.count) {
-        if (observer.is_cancelled()) {
-            result.end = FlowEnd::cancelled;
-            result.reason = "stopped by the user";
-            break;
-        }
-        try {
-            run.take_step();
-        } catch (const core::RunError& error) {
-            result.end = FlowEnd::stopped;
-            result.reason = error.what();
-            break;
-        }
-        const StepRecord& record = result.steps.back();
-        snapshots.add(complex, record.step, record.time);
-        observer.progress("flowing", static_cast<double>(record.step) / result.time.count,
-                          fmt::format("step {}, {} triangles, smallest angle {:.1f}", record.step, record.triangles,
-                                      record.min_angle));
-        if (record.interface_edges == 0) {
-            result.end = FlowEnd::vanished;
-            result.reason = "the interface has vanished";
-            break;
-        }
-    }
+    run_steps(result, run, observer);
     snapshots.add_last(complex, result.steps.back().step, result.steps.back().time);
-    result.seconds = whole.seconds();
 }
 
 }  // namespace dsc::flow::planar

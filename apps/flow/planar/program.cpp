@@ -10,6 +10,7 @@
 
 #include "apps/common/progress.h"
 #include "apps/common/run_main.h"
+#include "apps/flow/output.h"
 #include "apps/flow/planar/flow.h"
 #include "apps/flow/planar/initial_complex.h"
 #include "core/errors.h"
@@ -80,62 +81,37 @@ geometry::SurfaceData triangle_data(const Complex& complex) {
     return data;
 }
 
-// The natural name for going on from a result would be lost with it.
-void require_other_file(const flow::Options& options) {
-    const ShapeOptions& shape = options.planar->shape;
-    std::error_code absent;
-    if (shape.shape == Shape::file &&
-        std::filesystem::equivalent(shape.path, std::filesystem::path(options.folder) / "final.mesh", absent))
-        throw core::UsageError(shape.path + " would be overwritten by the result; choose another folder for -o");
-}
-
-std::string name_of_folder(const std::filesystem::path& folder) {
-    std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
-    if (path.filename().empty()) path = path.parent_path();
-    return path.filename().string();
-}
-
 void write_results(const flow::Options& options, const Complex& complex, const FlowResult& result,
                    const Snapshots& snapshots) {
     const std::filesystem::path folder = options.folder;
     io::write_file(folder / "final.obj", curve_obj(complex));
     io::write_planar_mesh(folder / "final.mesh", triangle_data(complex));
-    const std::string report = report_json(result, options.given).dump(1) + "\n";
-    io::write_file(folder / "report.json", report);
-    if (options.common.json) io::write_file(*options.common.json, report);
-    if (options.snapshots > 0) {
-        io::write_html_page(folder / "index.html", html_page(result, complex, snapshots, name_of_folder(folder)));
-        return;
-    }
-    // What an earlier run has left and this one does not replace would be taken for its own.
-    for (const char* name : {"series.pvd", "index.html"}) {
-        std::error_code absent;
-        std::filesystem::remove(folder / name, absent);
-    }
+    write_reports(options, report_json(result, options.given),
+                  [&](const std::string& title) { return html_page(result, complex, snapshots, title); });
 }
 
 }  // namespace
 
 int run(const flow::Options& options) {
     const Options& planar = *options.planar;
-    require_other_file(options);
+    if (planar.shape.shape == Shape::file) require_other_files(planar.shape.path, options.folder);
     apps::ProgressObserver observer(options.common.progress);
     InitialComplex initial = initial_complex(planar.shape);
     flow::MotionOptions end_of_motion;
     end_of_motion.period = planar.motion.period;
     if (planar.motion.motion == Motion::vortex) end_of_motion.motion = flow::Motion::vortex;
-    FlowResult result{.domain = initial.domain,
-                      .is_torus = planar.shape.is_torus,
-                      .edge_length = initial.edge_length,
-                      .time = time_steps(options.time, end_of_motion)};
+    FlowResult result;
+    result.domain = initial.domain;
+    result.is_torus = planar.shape.is_torus;
+    result.edge_length = initial.edge_length;
+    result.time = time_steps(options.time, end_of_motion);
     const Targets targets = motion_targets(planar.motion, initial.domain, initial.edge_length, result.time.until);
     Snapshots snapshots(options.folder, result.time.count, options.snapshots);
     run_flow(initial.complex, deformation(initial, options.topology), targets, snapshots, observer, result);
     write_results(options, initial.complex, result, snapshots);
     observer.clear();
     if (!options.common.quiet) fmt::print("{}", report_text(result));
-    if (result.end == FlowEnd::cancelled || result.end == FlowEnd::stopped)
-        throw core::RunError(result.reason + "; " + options.folder + " has the state before");
+    require_end(result.end, result.reason, options.folder);
     return apps::exit_done;
 }
 

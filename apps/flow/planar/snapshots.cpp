@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "apps/flow/report_parts.h"
 #include "apps/flow/snapshots.h"
 #include "core/assert.h"
 #include "dsc2d/interface.h"
@@ -18,9 +19,6 @@ using dsc2d::Complex;
 using dsc2d::InterfaceCurve;
 
 namespace {
-
-/// Of the sides with the higher label; then again from the first.
-constexpr std::array colours = {"#8a9aa8", "#1f5fa8", "#d98032", "#3f8f3c", "#b05a8f", "#c9b03a"};
 
 Eigen::Vector3d lifted(const Point2& p) { return {p.x(), p.y(), 0}; }
 
@@ -112,8 +110,8 @@ std::vector<io::ViewSeries> Snapshots::series() const {
         for (const auto& [labels, lines] : frame) by_labels.try_emplace(labels);
     std::vector<io::ViewSeries> result;
     for (auto& [labels, series] : by_labels) {
-        series.name = "between " + std::to_string(labels[0]) + " and " + std::to_string(labels[1]);
-        series.colour = colours[static_cast<std::size_t>(std::abs(labels[1])) % colours.size()];
+        series.name = sides_name(labels[0], labels[1]);
+        series.colour = label_colour(labels[1]);
         series.width = 2.5;
         series.times = times_;
         for (const Lines& frame : frames_) {
@@ -137,22 +135,16 @@ io::HtmlPage html_page(const FlowResult& result, const Complex& last, const Snap
     add("interface edges", [](const StepRecord& step) { return std::to_string(step.interface_edges); });
     add("smallest angle", [](const StepRecord& step) { return fmt::format("{:.2f}°", step.min_angle); });
     for (const dsc2d::LabelStatistics& label : start.labels) {
-        add("area of label " + std::to_string(label.label), [&](const StepRecord& step) {
-            const auto found = std::ranges::find(step.labels, label.label, &dsc2d::LabelStatistics::label);
-            return found == step.labels.end() ? std::string("0") : io::number_text(found->area, 6);
-        });
+        const std::string name = "area of label " + std::to_string(label.label);
+        const auto area = [](const auto& found) { return io::number_text(found.area, 6); };
+        add(name, [&](const StepRecord& step) { return label_figure(step, label.label, area, "0"); });
     }
     page.facts.emplace_back("events", std::to_string(result.events.size()));
     page.facts.emplace_back("end", result.reason);
     io::HtmlView view{.name = "interface", .is_flat = true};
     view.series = snapshots.series();
     view.lines = {box_lines(result.domain), mesh_lines(last)};
-    io::ViewPoints events{.name = "events"};
-    for (const FlowEvent& event : result.events) {
-        events.positions.push_back(lifted(event.place));
-        events.labels.push_back(event.kind + " at time " + io::number_text(event.time, 6));
-    }
-    if (!events.positions.empty()) view.points.push_back(std::move(events));
+    if (auto events = event_points(result.events)) view.points.push_back(std::move(*events));
     page.views.push_back(std::move(view));
     return page;
 }

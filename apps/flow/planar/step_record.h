@@ -16,15 +16,6 @@ namespace dsc::flow::planar {
 
 using dsc2d::Point2;
 
-/// Something that happened once, in report.json and for the reader of the page.
-struct FlowEvent {
-    std::string kind;  ///< "merge", "split", "vanish", "contact"
-    int step = 0;
-    double time = 0;
-    Point2 place = Point2::Zero();
-    int label = 0;  ///< of what was squeezed away, has vanished, or lies between what is in contact
-};
-
 /// A vertex that did not reach its target.
 struct Unfinished {
     Point2 place = Point2::Zero();

@@ -73,7 +73,7 @@ struct Run {
     }
     std::size_t events(const std::string& kind) const {
         std::size_t count = 0;
-        for (const FlowEvent& event : result.events) count += event.kind == kind ? 1 : 0;
+        for (const auto& event : result.events) count += event.kind == kind ? 1 : 0;
         return count;
     }
 
