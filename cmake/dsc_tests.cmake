@@ -15,6 +15,7 @@ function(dsc_test_binary name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE dsc_test_main dsc_warnings ${ARG_LINKS})
+  target_precompile_headers(${name} REUSE_FROM dsc_test_headers)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests/bin")
 
   set(list_file "${CMAKE_CURRENT_BINARY_DIR}/${name}_list.cmake")
