@@ -65,33 +65,21 @@ io::ViewLines box_lines(const Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
-bool is_snapshot(int step, int steps, int count) {
-    if (count <= 0) return false;
-    if (count > steps) return true;
-    if (step == 0 || step == steps) return true;
-    if (count <= 2) return false;
-    // Step k is one when a multiple of steps / (count - 1) lies in (k - 1, k].
-    const std::int64_t parts = count - 1;
-    return step * parts / steps != (step - 1) * parts / steps;
-}
-
-Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : steps_(steps), count_(count) {
+Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : times_to_keep_(steps, count) {
     if (count > 0) files_.emplace(folder, "series");
 }
 
-void Snapshots::keep(const dsc3d::Mesh& mesh, int step, double time) {
-    DSC_ASSERT(step > last_step_);
-    last_step_ = step;
+void Snapshots::keep(const dsc3d::Mesh& mesh, double time) {
     frames_.push_back({time, dsc3d::Interface(mesh).data});
     files_->add(time, poly_data(frames_.back().interface));
 }
 
 void Snapshots::add(const dsc3d::Mesh& mesh, int step, double time) {
-    if (is_snapshot(step, steps_, count_)) keep(mesh, step, time);
+    if (times_to_keep_.take(step)) keep(mesh, time);
 }
 
 void Snapshots::add_last(const dsc3d::Mesh& mesh, int step, double time) {
-    if (count_ > 0 && step != last_step_) keep(mesh, step, time);
+    if (times_to_keep_.take_last(step)) keep(mesh, time);
 }
 
 std::vector<io::ViewSurfaceSeries> Snapshots::series() const {

@@ -8,15 +8,13 @@
 #include <vector>
 
 #include "apps/flow/report.h"
+#include "apps/flow/snapshot_times.h"
 #include "dsc3d/mesh.h"
 #include "geometry/interface_data.h"
 #include "io/html_view.h"
 #include "io/vtp.h"
 
 namespace dsc::flow {
-
-/// True for `count` of the steps 0 .. steps, or all of them when there are fewer.
-bool is_snapshot(int step, int steps, int count);
 
 class Snapshots {
 public:
@@ -36,10 +34,9 @@ private:
         double time;
         geometry::InterfaceData interface;
     };
-    void keep(const dsc3d::Mesh& mesh, int step, double time);
+    void keep(const dsc3d::Mesh& mesh, double time);
 
-    int steps_, count_;
-    int last_step_ = -1;
+    SnapshotTimes times_to_keep_;
     std::optional<io::PvdSeries> files_;
     std::vector<Frame> frames_;
 };

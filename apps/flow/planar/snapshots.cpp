@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "apps/flow/report_parts.h"
-#include "apps/flow/snapshots.h"
 #include "core/assert.h"
 #include "dsc2d/interface.h"
 #include "io/number.h"
@@ -82,13 +81,11 @@ io::PolyData curve_data(const Complex& complex) {
     return data;
 }
 
-Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : steps_(steps), count_(count) {
+Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : times_to_keep_(steps, count) {
     if (count > 0) files_.emplace(folder, "series");
 }
 
-void Snapshots::keep(const Complex& complex, int step, double time) {
-    DSC_ASSERT(step > last_step_);
-    last_step_ = step;
+void Snapshots::keep(const Complex& complex, double time) {
     times_.push_back(time);
     Lines& lines = frames_.emplace_back();
     for (const InterfaceCurve& curve : dsc2d::interface_curves(complex))
@@ -97,11 +94,11 @@ void Snapshots::keep(const Complex& complex, int step, double time) {
 }
 
 void Snapshots::add(const Complex& complex, int step, double time) {
-    if (is_snapshot(step, steps_, count_)) keep(complex, step, time);
+    if (times_to_keep_.take(step)) keep(complex, time);
 }
 
 void Snapshots::add_last(const Complex& complex, int step, double time) {
-    if (count_ > 0 && step != last_step_) keep(complex, step, time);
+    if (times_to_keep_.take_last(step)) keep(complex, time);
 }
 
 std::vector<io::ViewSeries> Snapshots::series() const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "apps/flow/planar/report.h"
+#include "apps/flow/snapshot_times.h"
 #include "dsc2d/complex.h"
 #include "io/html_view.h"
 #include "io/vtp.h"
@@ -35,10 +36,9 @@ public:
 
 private:
     using Lines = std::map<std::array<int, 2>, std::vector<io::ViewLine>>;  ///< by the labels right and left
-    void keep(const dsc2d::Complex& complex, int step, double time);
+    void keep(const dsc2d::Complex& complex, double time);
 
-    int steps_, count_;
-    int last_step_ = -1;
+    SnapshotTimes times_to_keep_;
     std::optional<io::PvdSeries> files_;
     std::vector<double> times_;
     std::vector<Lines> frames_;

@@ -9,27 +9,6 @@
 using namespace dsc;
 using namespace dsc::flow;
 
-TEST_CASE("as many snapshots as asked for, the first and the last step among them") {
-    for (const int steps : {1, 2, 7, 50, 360}) {
-        for (const int count : {0, 2, 3, 20, 51, 1000}) {
-            CAPTURE(steps, count);
-            int found = 0, last = -1, widest = 0;
-            for (int step = 0; step <= steps; ++step) {
-                if (!is_snapshot(step, steps, count)) continue;
-                if (last >= 0) widest = std::max(widest, step - last);
-                last = step;
-                ++found;
-            }
-            CHECK(found == std::min(count, steps + 1));
-            if (count >= 2) {
-                CHECK(is_snapshot(0, steps, count));
-                CHECK(last == steps);
-                CHECK(widest <= steps / std::min(count - 1, steps) + 1);
-            }
-        }
-    }
-}
-
 TEST_CASE("snapshots go to a series of files and to one surface for each pair of labels") {
     geometry::TetData data = dsc3d::lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, 0.25);
     for (const auto& tet : data.tets) {
