@@ -3,14 +3,13 @@
 
 #include <map>
 
-#include "core/disjoint_sets.h"
+#include "dsc2d/components.h"
 
 namespace dsc::dsc2d {
 
 std::vector<LabelStatistics> label_statistics(const Complex& complex) {
     std::map<int, LabelStatistics> labels;
     std::map<int, std::int64_t> euler;
-    core::DisjointSets parts(complex.face_capacity());
     for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
         const FaceId f(i);
         if (complex.is_deleted(f)) continue;
@@ -25,7 +24,6 @@ std::vector<LabelStatistics> label_statistics(const Complex& complex) {
         const HalfedgeId h = Complex::halfedge(e);
         const FaceId left = complex.face(h), right = complex.face(Complex::opposite(h));
         if (!complex.is_boundary(e) && !complex.is_interface(e)) {
-            parts.unite(left.index(), right.index());
             --euler[complex.label(left)];
             continue;
         }
@@ -40,6 +38,7 @@ std::vector<LabelStatistics> label_statistics(const Complex& complex) {
         if (!complex.is_deleted(v) && !complex.is_interface(v) && !complex.is_boundary(v))
             ++euler[complex.label(complex.face(complex.halfedge(v)))];
     }
+    core::DisjointSets parts = components(complex);
     for (std::uint32_t i = 0; i < complex.face_capacity(); ++i)
         if (!complex.is_deleted(FaceId(i)) && parts.find(i) == i) ++labels[complex.label(FaceId(i))].components;
 

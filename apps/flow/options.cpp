@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "apps/common/number_list.h"
 #include "apps/flow/names.h"
 #include "core/errors.h"
 #include "io/number.h"
@@ -21,26 +22,8 @@ struct Texts {
     std::optional<std::string> centre, size, domain, axis, about, velocity;
 };
 
-std::vector<double> parsed_numbers(const std::string& option, const std::string& text) {
-    std::vector<double> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::optional<double> number = io::parse_finite(text.substr(begin, end - begin));
-        if (!number) throw core::UsageError(option + ": \"" + text + "\" is not a list of finite numbers");
-        numbers.push_back(*number);
-        begin = end + 1;
-    }
-    return numbers;
-}
-
-Point3 parsed_point(const std::string& option, const std::string& text) {
-    const std::vector<double> numbers = parsed_numbers(option, text);
-    if (numbers.size() != 3) throw core::UsageError(option + ": \"" + text + "\" is not three numbers x,y,z");
-    return {numbers[0], numbers[1], numbers[2]};
-}
-
 void parse_size(const std::string& text, ShapeOptions& options) {
-    const std::vector<double> numbers = parsed_numbers("--size", text);
+    const std::vector<double> numbers = apps::parsed_numbers("--size", text);
     const bool is_cube = numbers.size() == 1;
     if (!is_cube && numbers.size() != 3) throw core::UsageError("--size: \"" + text + "\" is not one or three lengths");
     options.size = is_cube ? Point3::Constant(numbers[0]) : Point3(numbers[0], numbers[1], numbers[2]);
@@ -50,7 +33,7 @@ void parse_size(const std::string& text, ShapeOptions& options) {
 }
 
 Eigen::AlignedBox3d parsed_domain(const std::string& text) {
-    const std::vector<double> n = parsed_numbers("--domain", text);
+    const std::vector<double> n = apps::parsed_numbers("--domain", text);
     if (n.size() != 6 || !(n[0] < n[3] && n[1] < n[4] && n[2] < n[5]))
         throw core::UsageError("--domain: \"" + text + "\" is not x0,y0,z0,x1,y1,z1 with lower corner first");
     return {Point3(n[0], n[1], n[2]), Point3(n[3], n[4], n[5])};
@@ -69,19 +52,19 @@ void parse_texts(const Texts& texts, Options& options) {
                                    ") nor a file with an extension");
         }
     }
-    if (texts.centre) options.shape.centre = parsed_point("--center", *texts.centre);
+    if (texts.centre) options.shape.centre = apps::parsed_point<3>("--center", *texts.centre);
     if (texts.size) parse_size(*texts.size, options.shape);
     if (texts.domain) options.shape.domain = parsed_domain(*texts.domain);
 
     MotionOptions& motion = options.motion;
     motion.motion = value_of(motion_names, texts.motion);
-    if (texts.axis) motion.axis = parsed_point("--axis", *texts.axis);
+    if (texts.axis) motion.axis = apps::parsed_point<3>("--axis", *texts.axis);
     if (motion.axis.norm() == 0) throw core::UsageError("--axis: must not be zero");
-    if (texts.about) motion.about = parsed_point("--about", *texts.about);
+    if (texts.about) motion.about = apps::parsed_point<3>("--about", *texts.about);
     if (motion.motion == Motion::expression) {
         motion.expressions = texts.velocity;
     } else if (texts.velocity) {
-        motion.velocity = parsed_point("--velocity", *texts.velocity);
+        motion.velocity = apps::parsed_point<3>("--velocity", *texts.velocity);
     }
     options.topology = value_of(topology_names, texts.topology);
 }

@@ -10,22 +10,23 @@
 
 namespace dsc::flow {
 
-/// What the loop does with a flow: take_step() adds a record to the result, or throws core::RunError before anything
-/// has moved; keep(record) sees every record; is_empty(record) says that no interface is left; describe(record) is the
-/// text of the progress line. Precondition: the result has the state at the start.
+/// What the loop does with a flow: take_step() adds a record to the result, or throws core::RunError or
+/// core::Cancelled: then the last record is of the state as it is, if need be in the middle of a step; keep(record)
+/// sees every record; is_empty(record) says that no interface is left; describe(record) is the text of the progress
+/// line. Precondition: the result has the state at the start.
 template <class Result, class Flow>
 void run_steps(Result& result, Flow& flow, core::Observer& observer) {
     const core::Stopwatch whole;
     result.end = FlowEnd::done;
     result.reason = "done";
     while (result.steps.back().step < result.time.count) {
-        if (observer.is_cancelled()) {
+        try {
+            observer.check_cancelled();
+            flow.take_step();
+        } catch (const core::Cancelled&) {
             result.end = FlowEnd::cancelled;
             result.reason = "stopped by the user";
             break;
-        }
-        try {
-            flow.take_step();
         } catch (const core::RunError& error) {
             result.end = FlowEnd::stopped;
             result.reason = error.what();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "apps/flow/kept_share.h"
 #include "dsc3d/improve/angle_range.h"
 #include "geometry/tetrahedron_quality.h"
 
@@ -53,10 +54,7 @@ void judge_tets(const Mesh& mesh, StepRecord& record) {
 UnchangedTriangles::UnchangedTriangles(const Mesh& mesh) : first_(interface_triangles(mesh.complex())) {}
 
 double UnchangedTriangles::share(const Mesh& mesh) const {
-    if (first_.empty()) return 1;
-    std::vector<Key> kept;
-    std::ranges::set_intersection(first_, interface_triangles(mesh.complex()), std::back_inserter(kept));
-    return static_cast<double>(kept.size()) / static_cast<double>(first_.size());
+    return kept_share(first_, interface_triangles(mesh.complex()));
 }
 
 StepRecord step_record(const Mesh& mesh, int step, double time, const UnchangedTriangles& unchanged) {

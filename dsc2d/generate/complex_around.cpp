@@ -17,21 +17,24 @@ void FillParameters::validate() const {
 }
 
 Complex complex_around(const Domain& domain, std::span<const Region> regions, double edge_length,
-                       const FillParameters& parameters) {
+                       const FillParameters& parameters, const core::Observer& observer) {
     parameters.validate();
     const auto cells = [&](int direction) {
         const double count = domain.basis().col(direction).norm() / (parameters.cell * edge_length);
         return static_cast<int>(std::lround(std::clamp(count, 4.0, static_cast<double>(parameters.max_cells))));
     };
     Complex complex = structured_complex(domain, cells(0), cells(1));
-    insert_regions(complex, regions);
+    insert_regions(complex, regions, observer);
     Parameters improvement = {.edge_length = edge_length, .topology = motion::TopologyPolicy::preserved};
     improvement.smoothing_sweeps = 2;
     improvement.poor_angle = 25 * std::numbers::pi / 180;
     improvement.needle_angle = 20 * std::numbers::pi / 180;
     improvement.needle_min_length = 2;
     Deformer deformer(complex, improvement);
-    for (int sweep = 0; sweep < parameters.sweeps; ++sweep) deformer.improve_everywhere();
+    for (int sweep = 0; sweep < parameters.sweeps; ++sweep) {
+        observer.check_cancelled();
+        deformer.improve_everywhere();
+    }
     complex.compact();
     return complex;
 }

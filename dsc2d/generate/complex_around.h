@@ -26,8 +26,8 @@ struct FillParameters {
     void validate() const;
 };
 
-/// Throws core::InputError as insert_regions does.
+/// Throws core::InputError as insert_regions does, core::Cancelled when the observer asks for an end.
 Complex complex_around(const Domain& domain, std::span<const Region> regions, double edge_length,
-                       const FillParameters& parameters = {});
+                       const FillParameters& parameters = {}, const core::Observer& observer = {});
 
 }  // namespace dsc::dsc2d

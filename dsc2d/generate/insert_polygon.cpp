@@ -20,19 +20,26 @@ using geometry::Sign;
 class PolygonInserter {
 public:
     /// `touches_others`: sides and corners may be there already.
-    PolygonInserter(Complex& complex, bool touches_others)
-        : complex_(complex), is_side_(complex.edge_attributes(), 0), touches_others_(touches_others) {}
+    PolygonInserter(Complex& complex, bool touches_others, const core::Observer& observer)
+        : complex_(complex),
+          is_side_(complex.edge_attributes(), 0),
+          touches_others_(touches_others),
+          observer_(observer) {}
 
     std::vector<VertexId> insert(std::span<const Point2> corners, int label) {
         if (corners.size() < 3) fail("has fewer than three corners");
         std::vector<CoverVertex> vertices;
         vertices.reserve(corners.size());
-        for (const Point2& corner : corners)
+        for (const Point2& corner : corners) {
+            observer_.check_cancelled();
             vertices.push_back(insert_point(complex_, complex_.domain().snapped(corner)));
+        }
 
         std::vector<HalfedgeId> sides;
-        for (std::size_t i = 0; i < vertices.size(); ++i)
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            observer_.check_cancelled();
             recover_side(vertices[i], vertices[(i + 1) % vertices.size()], sides);
+        }
 
         double twice_area = 0.0;
         Point2 place = Point2::Zero();
@@ -200,19 +207,20 @@ private:
     Complex& complex_;
     core::Attribute<EdgeId, std::uint8_t> is_side_;
     bool touches_others_;
+    const core::Observer& observer_;
 };
 
 }  // namespace
 
 std::vector<VertexId> insert_polygon(Complex& complex, std::span<const Point2> corners, int label) {
-    std::vector<VertexId> along = PolygonInserter(complex, false).insert(corners, label);
+    std::vector<VertexId> along = PolygonInserter(complex, false, {}).insert(corners, label);
     DelaunayPass(complex).run_everywhere(complex);
     return along;
 }
 
-void insert_regions(Complex& complex, std::span<const Region> regions) {
+void insert_regions(Complex& complex, std::span<const Region> regions, const core::Observer& observer) {
     for (const Region& region : regions) {
-        PolygonInserter(complex, true).insert(region.outline, region.label);
+        PolygonInserter(complex, true, observer).insert(region.outline, region.label);
         DelaunayPass(complex).run_everywhere(complex);
     }
 }

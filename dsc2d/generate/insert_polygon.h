@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/observer.h"
 #include "dsc2d/complex.h"
 
 namespace dsc::dsc2d {
@@ -29,8 +30,9 @@ struct Region {
 };
 
 /// The same for regions that may touch each other in whole sides and in corners, as the parts of a block do, or lie in
-/// one another: then the later one counts. None may cross one before it.
-void insert_regions(Complex& complex, std::span<const Region> regions);
+/// one another: then the later one counts. None may cross one before it. Throws core::Cancelled when the observer asks
+/// for an end, and leaves the complex half-done.
+void insert_regions(Complex& complex, std::span<const Region> regions, const core::Observer& observer = {});
 
 /// The same for several polygons that don't touch each other; later ones may lie inside earlier ones.
 std::vector<std::vector<VertexId>> insert_polygons(Complex& complex, std::span<const std::vector<Point2>> polygons,

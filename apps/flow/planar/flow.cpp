@@ -31,7 +31,7 @@ constexpr double motion_share = 0.5;
 constexpr double approach_share = 0.1;
 /// The interface comes no nearer to the wall of the box [edge_length].
 constexpr double room_at_wall = 0.25;
-constexpr int most_parts = 10000;
+constexpr double most_parts = 1e5;
 /// On a torus, vertices further from the domain than this are taken back, likewise [periods].
 constexpr double far = 4, too_far = 16;
 
@@ -53,6 +53,7 @@ public:
         at->second.remaining += motion.remaining;
         at->second.is_locked = motion.is_locked;
     }
+    bool is_empty() const { return lags_.empty(); }
     void hand_over(const Complex& complex, dsc2d::StepReport& report) const {
         for (const auto& [index, motion] : lags_) {
             if (complex.is_deleted(motion.vertex)) continue;
@@ -68,13 +69,14 @@ private:
 class Run {
 public:
     Run(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, Snapshots& snapshots,
-        FlowResult& result)
+        const core::Observer& observer, FlowResult& result)
         : complex_(complex),
           background_(parameters.background_label),
           topology_(parameters.topology),
           edge_length_(parameters.edge_length),
           targets_(targets),
           snapshots_(snapshots),
+          observer_(observer),
           result_(result),
           deformer_(complex, parameters, events_),
           unchanged_(complex),
@@ -86,38 +88,33 @@ public:
     }
 
     // In as many parts as keep the motion of each below a share of the edge length, so that the mesh can follow, and
-    // velocities are looked up on the way. Throws core::RunError, before anything has moved in this part, when there
-    // are no targets.
+    // velocities are looked up on the way. Throws core::RunError when there are no targets, core::Cancelled when the
+    // observer asks for an end; what was made of the step before is recorded.
     void take_step() {
-        const int step = result_.steps.back().step + 1;
-        const double start = result_.time.time(step - 1), end = result_.time.time(step);
+        const double start = result_.time.time(result_.steps.back().step);
+        const double end = result_.time.time(result_.steps.back().step + 1);
+        made_ = {};
         core::Stopwatch watch;
-        tidy();
-        std::vector<std::optional<Point2>> wanted = targets_at(start, end - start);
-        const int parts = parts_of(wanted);
-        dsc2d::StepReport whole;
-        Lags lags;
-        double targets_ms = 0, deform_ms = 0;
+        prepare();
+        const std::vector<std::optional<Point2>> wanted = targets_at(start, end - start);
+        const double needed = std::ceil(parts_of(wanted));
+        if (!(needed <= most_parts))
+            throw core::RunError(
+                fmt::format("the step at time {} is more than {:g} parts of half an edge length; take "
+                            "smaller steps",
+                            io::number_text(start, 6), most_parts));
+        const int parts = static_cast<int>(needed);
+        const double dt = (end - start) / parts;
+        made_.targets_ms = 1e3 * watch.seconds();
         for (int part = 0; part < parts; ++part) {
-            const double dt = (end - start) / parts;
-            if (parts > 1) wanted = targets_at(start + part * dt, dt);
-            contacts_.release(complex_, wanted);
-            targets_ms += 1e3 * watch.seconds();
-            watch = {};
-            const dsc2d::StepReport report = deformer_.step(wanted);
-            deform_ms += 1e3 * watch.seconds();
-            watch = {};
-            contacts_.add(complex_, report.contacts);
-            whole.counts += report.counts;
-            whole.substeps += report.substeps;
-            for (const auto& motion : report.unfinished) lags.add(motion);
+            try {
+                take_part(parts > 1 ? nullptr : &wanted, start + part * dt, dt);
+            } catch (...) {
+                if (part > 0) record(start + part * dt);
+                throw;
+            }
         }
-        StepRecord record = step_record(complex_, step, end, unchanged_);
-        lags.hand_over(complex_, whole);
-        add_step(record, complex_, whole);
-        add_events(step, end);
-        record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
-        result_.steps.push_back(std::move(record));
+        record(end);
     }
 
     void keep(const StepRecord& record) { snapshots_.add(complex_, record.step, record.time); }
@@ -128,14 +125,61 @@ public:
     }
 
 private:
+    /// What the parts of the present step have made.
+    struct Made {
+        dsc2d::StepReport report;
+        Lags lags;
+        double targets_ms = 0, deform_ms = 0;
+    };
+
+    // Towards the targets given, if there are any.
+    void take_part(const std::vector<std::optional<Point2>>* given, double time, double dt) {
+        observer_.check_cancelled();
+        core::Stopwatch watch;
+        if (given == nullptr) prepare();
+        const std::vector<std::optional<Point2>> wanted = given != nullptr ? *given : targets_at(time, dt);
+        require_reach(wanted, time);
+        contacts_.release(complex_, wanted);
+        made_.targets_ms += 1e3 * watch.seconds();
+        watch = {};
+        const dsc2d::StepReport report = deformer_.step(wanted);
+        made_.deform_ms += 1e3 * watch.seconds();
+        contacts_.add(complex_, report.contacts);
+        made_.report.counts += report.counts;
+        made_.report.substeps += report.substeps;
+        for (const auto& motion : report.unfinished) made_.lags.add(motion);
+    }
+
+    void record(double time) {
+        const core::Stopwatch watch;
+        const int step = result_.steps.back().step + 1;
+        StepRecord record = step_record(complex_, step, time, unchanged_);
+        made_.lags.hand_over(complex_, made_.report);
+        add_step(record, complex_, made_.report);
+        add_events(step, time);
+        record.milliseconds = {
+            {"targets", made_.targets_ms}, {"deform", made_.deform_ms}, {"measure", 1e3 * watch.seconds()}};
+        result_.steps.push_back(std::move(record));
+    }
+
     // Contacts are known by the numbers and periods of their vertices: they are let go, to be found again, where that
-    // can't be put off.
+    // can't be put off. So is motion that is left over, until the end of the step.
+    void prepare() {
+        tidy();
+        stay_in_reach();
+    }
+
     void tidy() {
-        const double garbage = complex_.garbage_fraction(), periods = largest_period();
-        if (garbage > too_much_garbage || periods > too_far) contacts_.release_all(complex_);
-        if (!contacts_.is_empty()) return;
-        if (garbage > much_garbage) complex_.compact();
-        if (periods > far) take_back();
+        if (!made_.lags.is_empty()) return;
+        const double garbage = complex_.garbage_fraction();
+        if (garbage > too_much_garbage) contacts_.release_all(complex_);
+        if (garbage > much_garbage && contacts_.is_empty()) complex_.compact();
+    }
+
+    void stay_in_reach() {
+        const double periods = largest_period();
+        if (periods > too_far) contacts_.release_all(complex_);
+        if (periods > far && contacts_.is_empty()) take_back();
     }
 
     Point2 periods(VertexId v) const {
@@ -163,7 +207,7 @@ private:
         return wanted;
     }
 
-    int parts_of(const std::vector<std::optional<Point2>>& wanted) const {
+    double parts_of(const std::vector<std::optional<Point2>>& wanted) const {
         const auto motion = [&](VertexId v) {
             return wanted[v.index()] ? Point2(*wanted[v.index()] - complex_.position(v)) : Point2(Point2::Zero());
         };
@@ -181,7 +225,7 @@ private:
                 if (length < edge_length_) parts = std::max(parts, approach / (approach_share * edge_length_));
             }
         }
-        return static_cast<int>(std::ceil(std::min(parts, 1.0 * most_parts)));
+        return parts;
     }
 
     void require_places(const std::vector<std::optional<Point2>>& wanted, double time) const {
@@ -190,10 +234,20 @@ private:
             const Point2& p = complex_.position(VertexId(i));
             const bool is_finite = wanted[i]->allFinite();
             if (is_finite && (result_.is_torus || has_room(p, *wanted[i]))) continue;
-            const char* problem = is_finite ? "leads out of the box" : "is not finite";
-            throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}) {} at time {}", i, p.x(),
-                                             p.y(), problem, io::number_text(time, 6)));
+            refuse(VertexId(i), is_finite ? "leads out of the box" : "is not finite", time);
         }
+    }
+
+    void require_reach(const std::vector<std::optional<Point2>>& wanted, double time) const {
+        for (std::uint32_t i = 0; i < wanted.size(); ++i)
+            if (wanted[i] && !complex_.domain().is_in_reach(*wanted[i]))
+                refuse(VertexId(i), "leads through too many periods in one step", time);
+    }
+
+    [[noreturn]] void refuse(VertexId v, const char* problem, double time) const {
+        const Point2& p = complex_.position(v);
+        throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}) {} at time {}", v.index(), p.x(),
+                                         p.y(), problem, io::number_text(time, 6)));
     }
 
     // Between the interface and the wall of the box, there has to be room for the mesh.
@@ -221,19 +275,21 @@ private:
     double edge_length_;
     const Targets& targets_;
     Snapshots& snapshots_;
+    const core::Observer& observer_;
     FlowResult& result_;
     EventList events_;
     dsc2d::Deformer deformer_;
     HeldContacts contacts_;
     UnchangedEdges unchanged_;
     ComponentTracker components_;
+    Made made_;
 };
 
 }  // namespace
 
 void run_flow(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, Snapshots& snapshots,
               core::Observer& observer, FlowResult& result) {
-    Run run(complex, parameters, targets, snapshots, result);
+    Run run(complex, parameters, targets, snapshots, observer, result);
     run.begin();
     run_steps(result, run, observer);
     snapshots.add_last(complex, result.steps.back().step, result.steps.back().time);

@@ -158,15 +158,16 @@ InitialComplex from_mesh(const ShapeOptions& options) {
 
 }  // namespace
 
-InitialComplex initial_complex(const ShapeOptions& options) {
+InitialComplex initial_complex(const ShapeOptions& options, const core::Observer& observer) {
     if (options.shape == Shape::file && std::filesystem::path(options.path).extension() == ".mesh")
         return from_mesh(options);
     const Outlines outlines = by_name(options);
     const Box box = options.domain.value_or(default_domain(bounds(outlines.regions)));
     require_room(options, outlines, box);
-    return {.complex = dsc2d::complex_around(domain_of(options, box), outlines.regions, outlines.edge_length),
-            .domain = box,
-            .edge_length = outlines.edge_length};
+    return {
+        .complex = dsc2d::complex_around(domain_of(options, box), outlines.regions, outlines.edge_length, {}, observer),
+        .domain = box,
+        .edge_length = outlines.edge_length};
 }
 
 dsc2d::Parameters deformation(const InitialComplex& initial, motion::TopologyPolicy topology) {

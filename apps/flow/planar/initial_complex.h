@@ -5,6 +5,7 @@
 #pragma once
 
 #include "apps/flow/planar/options.h"
+#include "core/observer.h"
 #include "dsc2d/complex.h"
 #include "dsc2d/deform/parameters.h"
 
@@ -17,7 +18,7 @@ struct InitialComplex {
 };
 
 /// Throws core::InputError and core::UsageError.
-InitialComplex initial_complex(const ShapeOptions& options);
+InitialComplex initial_complex(const ShapeOptions& options, const core::Observer& observer = {});
 
 /// Detail control keeps the edges of the interface about as long as they are at the start, and leaves those of the
 /// start alone as long as they are not changed.

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "apps/common/number_list.h"
 #include "apps/flow/options.h"
 #include "apps/flow/planar/names.h"
 #include "core/errors.h"
@@ -34,24 +35,12 @@ private:
     }
 
     std::vector<double> numbers(const std::string& option) const {
-        const std::string list = given_[option].string();
-        std::vector<double> result;
-        for (std::size_t begin = 0; begin <= list.size();) {
-            const std::size_t end = std::min(list.find(',', begin), list.size());
-            const std::optional<double> number = io::parse_finite(list.substr(begin, end - begin));
-            if (!number) throw core::UsageError(option + ": \"" + list + "\" is not a list of finite numbers");
-            result.push_back(*number);
-            begin = end + 1;
-        }
-        return result;
+        return apps::parsed_numbers(option, given_[option].string());
     }
 
     std::optional<Point2> point(const std::string& option) const {
         if (!line_.is_given(option)) return std::nullopt;
-        const std::vector<double> list = numbers(option);
-        if (list.size() != 2)
-            throw core::UsageError(option + ": \"" + given_[option].string() + "\" is not two numbers x,y");
-        return Point2(list[0], list[1]);
+        return apps::parsed_point<2>(option, given_[option].string());
     }
 
     void parse_shape() {
@@ -162,7 +151,7 @@ private:
 }  // namespace
 
 void add_options(apps::CommandLine& line, Texts& texts) {
-    line.integer("--sides", texts.sides, "of a regular polygon (2D)", {.at_least = 3, .at_most = 1e6});
+    line.integer("--sides", texts.sides, "of a regular polygon (2D)", {.at_least = 3, .at_most = 1e5});
     line.flag("--torus", texts.is_torus, "the domain repeats itself in both directions (2D)");
 }
 

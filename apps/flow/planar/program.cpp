@@ -96,7 +96,7 @@ int run(const flow::Options& options) {
     const Options& planar = *options.planar;
     if (planar.shape.shape == Shape::file) require_other_files(planar.shape.path, options.folder);
     apps::ProgressObserver observer(options.common.progress);
-    InitialComplex initial = initial_complex(planar.shape);
+    InitialComplex initial = initial_complex(planar.shape, observer);
     flow::MotionOptions end_of_motion;
     end_of_motion.period = planar.motion.period;
     if (planar.motion.motion == Motion::vortex) end_of_motion.motion = flow::Motion::vortex;

@@ -2,9 +2,11 @@
 #include "apps/flow/planar/step_record.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 
-#include "core/disjoint_sets.h"
+#include "apps/flow/kept_share.h"
+#include "dsc2d/components.h"
 #include "geometry/triangle.h"
 
 namespace dsc::flow::planar {
@@ -49,12 +51,7 @@ std::vector<UnchangedEdges::Key> UnchangedEdges::numbered_edges(const Complex& c
     return keys;
 }
 
-double UnchangedEdges::share(const Complex& complex) const {
-    if (first_.empty()) return 1;
-    std::vector<Key> kept;
-    std::ranges::set_intersection(first_, numbered_edges(complex), std::back_inserter(kept));
-    return static_cast<double>(kept.size()) / static_cast<double>(first_.size());
-}
+double UnchangedEdges::share(const Complex& complex) const { return kept_share(first_, numbered_edges(complex)); }
 
 ComponentTracker::ComponentTracker(const Complex& complex) : component_(complex.face_attributes(), 0) {
     number_components(complex);
@@ -68,20 +65,20 @@ std::vector<ComponentTracker::Component> ComponentTracker::update(const Complex&
         if (components_[component_[f] - 1].label == complex.label(f)) is_there[component_[f] - 1] = 1;
     }
     std::vector<Component> vanished;
-    for (std::size_t i = 0; i < components_.size(); ++i)
+    std::map<int, std::int64_t> lost;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+        ++lost[components_[i].label];
         if (is_there[i] == 0) vanished.push_back(components_[i]);
+    }
     number_components(complex);
+    for (const Component& component : components_) --lost[component.label];
+    // A component may have got new triangles throughout: one is gone only when there are fewer.
+    std::erase_if(vanished, [&](const Component& component) { return lost[component.label]-- <= 0; });
     return vanished;
 }
 
 void ComponentTracker::number_components(const Complex& complex) {
-    core::DisjointSets parts(complex.face_capacity());
-    for (std::uint32_t i = 0; i < complex.edge_capacity(); ++i) {
-        const EdgeId e(i);
-        if (complex.is_deleted(e) || complex.is_boundary(e) || complex.is_interface(e)) continue;
-        const core::HalfedgeId h = Complex::halfedge(e);
-        parts.unite(complex.face(h).index(), complex.face(Complex::opposite(h)).index());
-    }
+    core::DisjointSets parts = dsc2d::components(complex);
     components_.clear();
     for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
         const FaceId f(i);

@@ -310,3 +310,47 @@ TEST_CASE("random flows leave a valid mesh after every step, and where it is pre
         CHECK((run.events("contact") > 100) == !is_adaptive);
     }
 }
+
+TEST_CASE("a step through many periods arrives, and nothing vanishes on the way") {
+    ShapeOptions shape{.radius = 0.3, .edge_length = 0.1, .domain = Eigen::AlignedBox2d(Point2(0, 0), Point2(1, 1))};
+    shape.is_torus = true;
+    Run run(shape);
+    run.go({.motion = Motion::translate, .velocity = Point2(100, -37)}, 1);
+    CHECK(run.result.end == FlowEnd::done);
+    CHECK(run.result.steps.back().is_complete);
+    CHECK(run.largest_area_change() <= 1e-9);
+    CHECK(run.result.events.empty());
+}
+
+TEST_CASE("a step beyond all reach is refused, with the state before") {
+    ShapeOptions shape{.radius = 0.1, .domain = Eigen::AlignedBox2d(Point2(0, 0), Point2(1, 1))};
+    shape.is_torus = true;
+    Run run(shape);
+    const std::vector<Point2> before = run.before;
+    run.go({.motion = Motion::translate, .velocity = Point2(1e12, 0)}, 1);
+    CHECK(run.result.end == FlowEnd::stopped);
+    CHECK_THAT(run.result.reason, Catch::Contains("smaller steps"));
+    CHECK(run.places() == before);
+}
+
+TEST_CASE("a step that is stopped in the middle is recorded as far as it went") {
+    class StopAfter final : public core::Observer {
+    public:
+        explicit StopAfter(int questions) : left_(questions) {}
+        bool is_cancelled() const override { return left_-- <= 0; }
+
+    private:
+        mutable int left_;
+    } observer(5);
+    Run run({.radius = 0.1});
+    run.go(motion_targets({.motion = Motion::translate, .velocity = Point2(0.2, 0)}, run.initial.domain,
+                          run.initial.edge_length, 1),
+           1, 1, observer);
+    CHECK(run.result.end == FlowEnd::cancelled);
+    REQUIRE(run.result.steps.size() == 2);
+    const double time = run.result.steps.back().time;
+    CHECK(time > 0);
+    CHECK(time < 1);
+    for (std::size_t i = 0; i < run.before.size(); ++i)
+        CHECK((run.places()[i] - run.before[i] - Point2(0.2 * time, 0)).norm() < 1e-12);
+}
