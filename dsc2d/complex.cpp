@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dsc2d/complex.h"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "core/errors.h"
@@ -18,6 +20,62 @@ std::vector<std::uint32_t> read_numbering(Count count, const Property& old_index
     return new_to_old;
 }
 
+[[noreturn]] void reject_triangle(std::size_t t, const std::string& problem) {
+    throw core::InputError("complex", "triangle " + std::to_string(t), problem, "");
+}
+
+// A triangle at a vertex: counterclockwise round the vertex it goes from one neighbour to another.
+struct Corner {
+    std::uint32_t from, to;
+    std::size_t triangle;
+};
+
+// Whether the corners at one vertex, in the order of `from`, follow each other in one fan or all the way round.
+bool is_one_fan(std::span<const Corner> corners) {
+    const auto following = [&](const Corner& corner) {
+        const auto found = std::ranges::lower_bound(corners, corner.to, {}, &Corner::from);
+        return found != corners.end() && found->from == corner.to ? &*found : nullptr;
+    };
+    std::vector<bool> has_previous(corners.size(), false);
+    for (const Corner& corner : corners)
+        if (const Corner* next = following(corner))
+            has_previous[static_cast<std::size_t>(next - corners.data())] = true;
+    const auto begin = std::ranges::find(has_previous, false) - has_previous.begin();
+    const Corner* first = &corners[static_cast<std::size_t>(begin) % corners.size()];
+    std::size_t count = 1;
+    for (const Corner* c = following(*first); c != nullptr && c != first; c = following(*c)) ++count;
+    return count == corners.size();
+}
+
+// The triangles are an oriented manifold without repeated edges. OpenMesh reports on stderr what it can't take.
+void require_manifold(std::size_t vertex_count, std::span<const TriangleInput> triangles) {
+    std::vector<std::vector<Corner>> corners(vertex_count);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const auto& v = triangles[t].vertices;
+        for (std::size_t i = 0; i < 3; ++i) corners[v[i]].push_back({v[(i + 1) % 3], v[(i + 2) % 3], t});
+    }
+    // Of the triangles that repeat a side, the first one in their order.
+    std::optional<std::pair<std::size_t, std::size_t>> repeated;
+    for (std::vector<Corner>& around : corners) {
+        std::ranges::stable_sort(around, {}, &Corner::from);
+        for (std::size_t i = 0; i + 1 < around.size(); ++i) {
+            if (around[i].from != around[i + 1].from) continue;
+            const std::pair found(around[i + 1].triangle, around[i].triangle);
+            if (!repeated || found < *repeated) repeated = found;
+        }
+    }
+    if (repeated)
+        reject_triangle(repeated->first,
+                        "lies on the same side of an edge as triangle " + std::to_string(repeated->second));
+    for (std::size_t v = 0; v < vertex_count; ++v) {
+        if (corners[v].empty())
+            throw core::InputError("complex", "vertex " + std::to_string(v), "belongs to no triangle", "");
+        if (!is_one_fan(corners[v]))
+            throw core::InputError("complex", "vertex " + std::to_string(v),
+                                   "joins triangles that have no chain of common edges round it", "");
+    }
+}
+
 }  // namespace
 
 Complex::Complex(const Domain& domain, std::span<const Point2> points, std::span<const TriangleInput> triangles)
@@ -32,24 +90,27 @@ Complex::Complex(const Domain& domain, std::span<const Point2> points, std::span
       interface_degree_(vertices_, 0),
       is_locked_(vertices_, 0) {
     for (const Point2& point : points) {
-        if (!domain_.is_in_reach(point)) throw core::InputError("complex", "", "a point lies far outside the domain", "");
+        if (!domain_.is_in_reach(point))
+            throw core::InputError("complex", "", "a point lies far outside the domain", "");
         new_vertex(domain_.snapped(point));
     }
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        const TriangleInput& triangle = triangles[t];
-        const auto fail = [&](const char* problem) {
-            throw core::InputError("complex", "triangle " + std::to_string(t), problem, "");
-        };
-        std::array<OpenMesh::VertexHandle, 3> corners;
+        const auto& [a, b, c] = triangles[t].vertices;
+        if (std::max({a, b, c}) >= points.size()) reject_triangle(t, "names a vertex that does not exist");
+        if (a == b || b == c || c == a) reject_triangle(t, "names a vertex twice");
         std::array<Point2, 3> places;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (triangle.vertices[i] >= points.size()) fail("names a vertex that does not exist");
-            corners[i] = OpenMesh::VertexHandle(static_cast<int>(triangle.vertices[i]));
-            places[i] = mesh_.point(corners[i]) + domain_.translation(triangle.cells[i]);
-        }
-        if (!geometry::is_counterclockwise(places[0], places[1], places[2])) fail("is not counterclockwise");
+        for (std::size_t i = 0; i < 3; ++i)
+            places[i] = position(VertexId(triangles[t].vertices[i])) + domain_.translation(triangles[t].cells[i]);
+        if (!geometry::is_counterclockwise(places[0], places[1], places[2]))
+            reject_triangle(t, "is not counterclockwise");
+    }
+    require_manifold(points.size(), triangles);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const TriangleInput& triangle = triangles[t];
+        std::array<OpenMesh::VertexHandle, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = OpenMesh::VertexHandle(static_cast<int>(triangle.vertices[i]));
         const auto face = mesh_.add_face(corners[0], corners[1], corners[2]);
-        if (!face.is_valid()) fail("does not fit into an oriented manifold with its neighbours");
+        if (!face.is_valid()) reject_triangle(t, "does not fit into an oriented manifold with its neighbours");
         resize_attributes();
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
@@ -57,9 +118,6 @@ Complex::Complex(const Domain& domain, std::span<const Point2> points, std::span
         }
         label_[from_kernel(face)] = triangle.label;
     }
-    for (std::uint32_t v = 0; v < vertex_capacity(); ++v)
-        if (!halfedge(VertexId(v)).is_valid())
-            throw core::InputError("complex", "vertex " + std::to_string(v), "belongs to no triangle", "");
     for (std::uint32_t e = 0; e < edge_capacity(); ++e) refresh_interface(EdgeId(e));
 }
 
@@ -130,8 +188,8 @@ VertexId Complex::split_edge_unchecked(HalfedgeId h, const Point2& position) {
     const VertexId m = new_vertex(position);
     mesh_.split_edge(to_kernel(edge(h)), to_kernel(m));
     resize_attributes();
-    // The split keeps half-edge 0 of the old edge leaving from m, so h is now either m -> b or a -> m. The ring of m is,
-    // counterclockwise, b, c (if there is a left face), a, d (if there is a right face).
+    // The split keeps half-edge 0 of the old edge leaving from m, so h is now either m -> b or a -> m. The ring of m
+    // is, counterclockwise, b, c (if there is a left face), a, d (if there is a right face).
     HalfedgeId toward_b, toward_a;
     if (from(h) == m) {
         toward_b = h;
@@ -200,14 +258,14 @@ void Complex::compact() {
     for (const auto f : mesh_.all_faces()) mesh_.property(face_index, f) = static_cast<std::uint32_t>(f.idx());
 
     mesh_.garbage_collection();
-    vertices_->compact(read_numbering(
-        mesh_.n_vertices(), [&](int i) { return mesh_.property(vertex_index, OpenMesh::VertexHandle(i)); }));
+    vertices_->compact(read_numbering(mesh_.n_vertices(),
+                                      [&](int i) { return mesh_.property(vertex_index, OpenMesh::VertexHandle(i)); }));
     halfedges_->compact(read_numbering(
         mesh_.n_halfedges(), [&](int i) { return mesh_.property(halfedge_index, OpenMesh::HalfedgeHandle(i)); }));
-    edges_->compact(read_numbering(mesh_.n_edges(),
-                                   [&](int i) { return mesh_.property(edge_index, OpenMesh::EdgeHandle(i)); }));
-    faces_->compact(read_numbering(mesh_.n_faces(),
-                                   [&](int i) { return mesh_.property(face_index, OpenMesh::FaceHandle(i)); }));
+    edges_->compact(
+        read_numbering(mesh_.n_edges(), [&](int i) { return mesh_.property(edge_index, OpenMesh::EdgeHandle(i)); }));
+    faces_->compact(
+        read_numbering(mesh_.n_faces(), [&](int i) { return mesh_.property(face_index, OpenMesh::FaceHandle(i)); }));
     mesh_.remove_property(vertex_index);
     mesh_.remove_property(halfedge_index);
     mesh_.remove_property(edge_index);

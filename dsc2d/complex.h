@@ -42,8 +42,9 @@ struct TriangleInput {
 
 class Complex {
 public:
-    /// Points are rounded to the grid of the domain. Throws core::InputError when the triangles don't form an oriented
-    /// manifold without repeated edges, or one of them is not strictly counterclockwise.
+    /// Points are rounded to the grid of the domain. Throws core::InputError that names the triangle or vertex, from 0
+    /// on, when the triangles don't form an oriented manifold without repeated edges, or one is not strictly
+    /// counterclockwise.
     Complex(const Domain& domain, std::span<const Point2> points, std::span<const TriangleInput> triangles);
     Complex(Complex&&) = default;
     Complex& operator=(Complex&&) = default;

@@ -99,6 +99,7 @@ CsvTable read_csv(const std::filesystem::path& path) {
                                    "");
         } else {
             table.rows.push_back(numbers);
+            table.lines.push_back(number);
         }
         width = fields.size();
     }

@@ -40,6 +40,7 @@ private:
 struct CsvTable {
     std::vector<std::string> columns;
     std::vector<std::vector<double>> rows;
+    std::vector<std::size_t> lines;  ///< of the file that the rows stand in, from 1 on: for messages
 };
 
 /// Reads a CSV file; a first line that consists of numbers only counts as a row, the columns then have no names.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/planar_mesh.h"
 
+#include <algorithm>
 #include <cctype>
 #include <optional>
 #include <string>
 
+#include "geometry/predicates.h"
 #include "io/atomic_file.h"
 #include "io/number.h"
 #include "io/text_scanner.h"
@@ -40,6 +42,8 @@ public:
             }
         }
         if (data_.triangles.empty()) scanner_.fail("there are no triangles", "give a whole planar mesh");
+        if (std::ranges::all_of(data_.triangles, [&](const auto& triangle) { return is_clockwise(triangle); }))
+            for (auto& triangle : data_.triangles) std::swap(triangle[1], triangle[2]);
         return std::move(data_);
     }
 
@@ -73,6 +77,11 @@ private:
             data_.triangles.push_back(triangle);
             data_.labels.push_back(static_cast<int>(label));
         }
+    }
+
+    bool is_clockwise(const std::array<std::uint32_t, 3>& triangle) const {
+        const auto corner = [&](std::size_t i) { return geometry::Point2(data_.vertices[triangle[i]].head<2>()); };
+        return geometry::orientation(corner(0), corner(1), corner(2)) == geometry::Sign::negative;
     }
 
     TextScanner scanner_;

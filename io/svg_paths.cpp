@@ -8,6 +8,7 @@
 #include <cstring>
 #include <numbers>
 #include <pugixml.hpp>
+#include <utility>
 
 #include "core/errors.h"
 #include "io/atomic_file.h"
@@ -21,6 +22,8 @@ using Point = Eigen::Vector2d;
 using Transform = Eigen::Affine2d;
 
 constexpr double chords_of_size = 100;
+/// More chords in a picture are taken for a mistake in the edge length.
+constexpr double most_chords = 1e6;
 /// Nearer points are the same: sums of relative coordinates are rounded [size of the picture's paths].
 constexpr double same_place = 1e-12;
 
@@ -144,7 +147,7 @@ private:
                 return add({first, second}, base + in_.point());
             }
             case 'Z':
-                subpath().is_closed = true;
+                if (is_open_) subpath().is_closed = true;
                 at_ = begin_;
                 last_controls_ = 0;
                 is_open_ = false;
@@ -160,7 +163,7 @@ private:
         is_open_ = false;
     }
 
-    // A subpath begins with its first piece: a move alone, or one after Z, makes none.
+    // A subpath begins with its first piece: a move alone, one after Z, or another Z makes none.
     Subpath& subpath() {
         if (!is_open_) subpaths_.push_back({.name = name_, .begin = transform_ * begin_});
         is_open_ = true;
@@ -230,20 +233,43 @@ public:
     explicit Collector(std::string source) : source_(std::move(source)) {}
 
     std::vector<Subpath> run(const pugi::xml_node& root, const Transform& transform) {
-        visit(root, transform);
+        // Groups are kept on a stack of our own, however deep they lie in one another; the last one is visited next.
+        std::vector<std::pair<pugi::xml_node, Transform>> waiting = {{root, transform}};
+        while (!waiting.empty()) {
+            const auto [node, outer] = waiting.back();
+            waiting.pop_back();
+            if (is_hidden(local_name(node))) continue;
+            const Transform inner = outer * parsed_transform(source_, node.attribute("transform").value());
+            read(node, inner);
+            for (pugi::xml_node child = node.last_child(); child; child = child.previous_sibling())
+                waiting.emplace_back(child, inner);
+        }
         return std::move(subpaths_);
     }
 
 private:
-    void visit(const pugi::xml_node& node, const Transform& outer) {
+    // What is only defined is not seen in the picture.
+    static bool is_hidden(std::string_view kind) {
+        constexpr std::array<std::string_view, 6> hidden = {"defs", "clipPath", "mask", "symbol", "marker", "pattern"};
+        return std::ranges::find(hidden, kind) != hidden.end();
+    }
+
+    // What is seen, but is no path: to leave it out would give another shape than that of the picture.
+    void refuse_unreadable(std::string_view kind) const {
+        constexpr std::array<std::string_view, 7> seen = {"rect", "circle", "ellipse", "line", "use", "text", "image"};
+        if (std::ranges::find(seen, kind) == seen.end()) return;
+        throw core::InputError(source_, "", "the element \"" + std::string(kind) + "\" is not read here",
+                               "convert it to a path of M, L, H, V, C, S, Q, T and Z, or remove it");
+    }
+
+    void read(const pugi::xml_node& node, const Transform& transform) {
         const std::string_view kind = local_name(node);
-        // What is only defined is not seen in the picture.
-        for (const std::string_view hidden : {"defs", "clipPath", "mask", "symbol", "marker", "pattern"})
-            if (kind == hidden) return;
-        const Transform transform = outer * parsed_transform(source_, node.attribute("transform").value());
+        refuse_unreadable(kind);
+        const std::size_t first = subpaths_.size();
         if (kind == "path") {
             const std::string name = next_name();
             PathReader(Numbers(source_, name, node.attribute("d").value()), name, transform, subpaths_).read();
+            name_parts(first);
         } else if (kind == "polygon" || kind == "polyline") {
             const std::string name = next_name();
             Numbers numbers(source_, name, node.attribute("points").value());
@@ -252,7 +278,25 @@ private:
             while (!numbers.at_end()) subpath.pieces.push_back({{}, transform * numbers.point()});
             if (!subpath.pieces.empty()) subpaths_.push_back(std::move(subpath));
         }
-        for (const pugi::xml_node& child : node.children()) visit(child, transform);
+        for (std::size_t i = first; i < subpaths_.size(); ++i) require_finite(subpaths_[i]);
+    }
+
+    // The subpaths of one path.
+    void name_parts(std::size_t first) {
+        if (subpaths_.size() - first < 2) return;
+        for (std::size_t i = first; i < subpaths_.size(); ++i)
+            subpaths_[i].name += ", part " + std::to_string(i - first + 1);
+    }
+
+    // Finite numbers may be too large when they are added or transformed.
+    void require_finite(const Subpath& subpath) const {
+        bool is_finite = subpath.begin.allFinite();
+        for (const Piece& piece : subpath.pieces) {
+            is_finite = is_finite && piece.end.allFinite();
+            for (const Point& control : piece.controls) is_finite = is_finite && control.allFinite();
+        }
+        if (!is_finite)
+            throw core::InputError(source_, subpath.name, "a coordinate is too large", "scale the picture down");
     }
 
     static std::string_view local_name(const pugi::xml_node& node) {
@@ -274,45 +318,67 @@ Point bezier(const Point& begin, const Piece& piece, double t) {
            t * t * t * piece.end;
 }
 
-// Places along a curve at even distances, which are taken from a table of its length.
-void append_curve(std::vector<Point>& points, const Point& begin, const Piece& piece, double edge_length) {
-    constexpr std::size_t samples = 256;
-    std::array<double, samples + 1> length{};
-    Point last = begin;
-    for (std::size_t i = 1; i <= samples; ++i) {
-        const Point place = bezier(begin, piece, static_cast<double>(i) / samples);
-        length[i] = length[i - 1] + (place - last).norm();
-        last = place;
-    }
-    const double whole = length.back();
-    const auto chords = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(whole / edge_length)));
-    for (std::size_t k = 1, i = 1; k < chords; ++k) {
-        const double wanted = whole * static_cast<double>(k) / static_cast<double>(chords);
-        while (length[i] < wanted) ++i;
-        const double share = (wanted - length[i - 1]) / (length[i] - length[i - 1]);
-        points.push_back(bezier(begin, piece, (static_cast<double>(i - 1) + share) / samples));
-    }
-    points.push_back(piece.end);
-}
+class Flattener {
+public:
+    Flattener(std::string source, double edge_length, double tolerance)
+        : source_(std::move(source)), edge_length_(edge_length), tolerance_(tolerance) {}
 
-SvgPath flattened(const Subpath& subpath, double edge_length, double tolerance) {
-    SvgPath path{.name = subpath.name, .points = {subpath.begin}, .is_closed = subpath.is_closed};
-    for (const Piece& piece : subpath.pieces) {
-        if (piece.controls.empty()) {
-            path.points.push_back(piece.end);
-        } else {
-            append_curve(path.points, Point(path.points.back()), piece, edge_length);
+    SvgPath flattened(const Subpath& subpath) {
+        SvgPath path{.name = subpath.name, .points = {subpath.begin}, .is_closed = subpath.is_closed};
+        for (const Piece& piece : subpath.pieces) {
+            if (piece.controls.empty()) {
+                path.points.push_back(piece.end);
+            } else {
+                append_curve(path, piece);
+            }
         }
+        const auto are_same = [&](const Point& p, const Point& q) { return (p - q).stableNorm() <= tolerance_; };
+        const auto repeated = std::ranges::unique(path.points, are_same);
+        path.points.erase(repeated.begin(), repeated.end());
+        if (path.points.size() > 1 && are_same(path.points.front(), path.points.back())) {
+            path.points.pop_back();
+            path.is_closed = true;
+        }
+        return path;
     }
-    const auto are_same = [&](const Point& p, const Point& q) { return (p - q).norm() <= tolerance; };
-    const auto repeated = std::ranges::unique(path.points, are_same);
-    path.points.erase(repeated.begin(), repeated.end());
-    if (path.points.size() > 1 && are_same(path.points.front(), path.points.back())) {
-        path.points.pop_back();
-        path.is_closed = true;
+
+private:
+    // Places along a curve at even distances, which are taken from a table of its length.
+    void append_curve(SvgPath& path, const Piece& piece) {
+        constexpr std::size_t samples = 256;
+        const Point begin = path.points.back();
+        std::array<double, samples + 1> length{};
+        Point last = begin;
+        for (std::size_t i = 1; i <= samples; ++i) {
+            const Point place = bezier(begin, piece, static_cast<double>(i) / samples);
+            length[i] = length[i - 1] + (place - last).stableNorm();
+            last = place;
+        }
+        const double whole = length.back();
+        const std::size_t chords = chord_count(path.name, whole);
+        for (std::size_t k = 1, i = 1; k < chords; ++k) {
+            const double wanted = whole * (static_cast<double>(k) / static_cast<double>(chords));
+            while (length[i] < wanted) ++i;
+            const double share = (wanted - length[i - 1]) / (length[i] - length[i - 1]);
+            path.points.push_back(bezier(begin, piece, (static_cast<double>(i - 1) + share) / samples));
+        }
+        path.points.push_back(piece.end);
     }
-    return path;
-}
+
+    // A curve that stays in one place has one chord, of no length.
+    std::size_t chord_count(const std::string& name, double length) {
+        const double count = length > 0 ? std::ceil(length / edge_length_) : 1;
+        chords_ += count;
+        if (!(chords_ <= most_chords))
+            throw core::InputError(source_, name, "its curves have more than a million chords of the edge length",
+                                   "give a greater edge length");
+        return static_cast<std::size_t>(count);
+    }
+
+    std::string source_;
+    double edge_length_, tolerance_;
+    double chords_ = 0;  ///< so far, in all
+};
 
 }  // namespace
 
@@ -326,17 +392,21 @@ std::vector<SvgPath> read_svg_paths(const std::filesystem::path& path, std::opti
     Transform upward = Transform::Identity();
     upward.linear()(1, 1) = -1;
     const std::vector<Subpath> subpaths = Collector(path.string()).run(document.document_element(), upward);
+    if (subpaths.empty())
+        throw core::InputError(path.string(), "", "there is no path", "give a picture with closed paths");
+    // With the control points, as a curve may end where it begins.
     Eigen::AlignedBox2d box;
     for (const Subpath& subpath : subpaths) {
         box.extend(subpath.begin);
-        for (const Piece& piece : subpath.pieces) box.extend(piece.end);
+        for (const Piece& piece : subpath.pieces) {
+            box.extend(piece.end);
+            for (const Point& control : piece.controls) box.extend(control);
+        }
     }
-    if (subpaths.empty())
-        throw core::InputError(path.string(), "", "there is no path", "give a picture with closed paths");
     const double size = box.sizes().maxCoeff();
+    Flattener flattener(path.string(), edge_length.value_or(size / chords_of_size), size * same_place);
     std::vector<SvgPath> result;
-    for (const Subpath& subpath : subpaths)
-        result.push_back(flattened(subpath, edge_length.value_or(size / chords_of_size), size * same_place));
+    for (const Subpath& subpath : subpaths) result.push_back(flattener.flattened(subpath));
     return result;
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dsc2d/complex.h"
 
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
 #include "core/errors.h"
 #include "core/random.h"
 #include "dsc2d/generate/insert_polygon.h"
@@ -11,6 +15,24 @@
 
 using namespace dsc::dsc2d;
 using dsc::tests::require_valid;
+
+namespace {
+
+// What is written to std::cerr as long as this lives.
+class CapturedErrors {
+public:
+    CapturedErrors() : before_(std::cerr.rdbuf(text_.rdbuf())) {}
+    ~CapturedErrors() { std::cerr.rdbuf(before_); }
+    CapturedErrors(const CapturedErrors&) = delete;
+    CapturedErrors& operator=(const CapturedErrors&) = delete;
+    std::string text() const { return text_.str(); }
+
+private:
+    std::ostringstream text_;
+    std::streambuf* before_;
+};
+
+}  // namespace
 
 TEST_CASE("labels drive the interface") {
     Complex complex = structured_complex(Domain::torus(Eigen::Matrix2d::Identity()), 4, 4);
@@ -76,4 +98,47 @@ TEST_CASE("triangles that make no complex are refused") {
     CHECK_THROWS_AS(Complex(box, points, std::vector{triangle(0, 1, 2)}), InputError);
     CHECK_THROWS_AS(Complex(box, points, std::vector{triangle(0, 1, 2), triangle(0, 1, 3)}), InputError);
     require_valid(Complex(box, points, std::vector{triangle(0, 1, 2), triangle(1, 3, 2)}));
+}
+
+TEST_CASE("what is no manifold is refused with its place and without a word on stderr") {
+    // A hexagon round vertex 6, and a triangle 6, 7, 8 that lies over it.
+    std::vector<Point2> points = dsc::tests::circle({0, 0}, 1, 6);
+    points.emplace_back(0, 0);
+    points.emplace_back(2, 0.1);
+    points.emplace_back(2, 1);
+    const Domain box = Domain::box({-1, -1}, {2, 1});
+    const LatticeVector zero = LatticeVector::Zero();
+    std::vector<TriangleInput> fan;
+    for (std::uint32_t i = 0; i < 6; ++i) fan.push_back({{6, i, (i + 1) % 6}, {zero, zero, zero}, 0});
+    const TriangleInput other = {{6, 7, 8}, {zero, zero, zero}, 0};
+    const auto check_refused = [&](const std::vector<TriangleInput>& triangles, const std::string& place) {
+        const CapturedErrors captured;
+        CHECK_THROWS_WITH(Complex(box, points, triangles), Catch::Contains(place));
+        CHECK(captured.text() == "");
+    };
+    std::vector<TriangleInput> triangles = fan;
+    triangles.push_back(fan[2]);
+    std::ranges::rotate(triangles.back().vertices, triangles.back().vertices.begin() + 1);
+    check_refused(triangles, "triangle 6: lies on the same side of an edge as triangle 2");
+    triangles = fan;
+    triangles[5] = {{6, 5, 6}, {zero, zero, zero}, 0};
+    check_refused(triangles, "triangle 5: names a vertex twice");
+    // The triangle comes before, among, and after those of the whole fan, and beside parts of it.
+    for (std::size_t at = 0; at <= fan.size(); ++at) {
+        triangles = fan;
+        triangles.insert(triangles.begin() + static_cast<std::ptrdiff_t>(at), other);
+        check_refused(triangles, "vertex 6: joins triangles");
+    }
+    triangles = {fan[0], fan[1], fan[3], fan[4], other};
+    check_refused(triangles, "vertex 6: joins triangles");
+    check_refused(fan, "vertex 7: belongs to no triangle");
+    // A fan that is open, or closed, is a manifold in whatever order it comes.
+    points.resize(7);
+    dsc::core::Random random(dsc::tests::seed(11));
+    for (const std::size_t size : {5, 6})
+        for (int i = 0; i < 50; ++i) {
+            triangles.assign(fan.begin(), fan.begin() + static_cast<std::ptrdiff_t>(size));
+            for (std::size_t k = size - 1; k > 0; --k) std::swap(triangles[k], triangles[random.below(k + 1)]);
+            require_valid(Complex(box, points, triangles));
+        }
 }

@@ -32,6 +32,7 @@ TEST_CASE("a table without header, with blank lines, comments and spaces is read
     const CsvTable table = read_csv(folder / "t.csv");
     CHECK(table.columns.empty());
     CHECK(table.rows == std::vector<std::vector<double>>{{0.5, -1}, {2, 3}});
+    CHECK(table.lines == std::vector<std::size_t>{3, 4});
     write_file(folder / "empty.csv", "");
     CHECK(read_csv(folder / "empty.csv").rows.empty());
 }

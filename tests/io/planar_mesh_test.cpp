@@ -22,6 +22,22 @@ TEST_CASE("a planar mesh is the same after writing and reading") {
     CHECK(found.labels == data.labels);
 }
 
+TEST_CASE("a mirrored mesh is turned as a whole; single clockwise or flat triangles stay") {
+    const tests::TemporaryFolder folder;
+    const auto turned = [&](const std::string& triangles) {
+        io::write_file(folder / "a.mesh",
+                       "MeshVersionFormatted 2\nDimension 2\nVertices\n5\n0 0 0\n1e-9 0 0\n1e-9 1e-9 0\n0 1e-9 0\n"
+                       "2e-9 0 0\nTriangles\n2\n" +
+                           triangles);
+        return io::read_planar_mesh(folder / "a.mesh").triangles;
+    };
+    using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+    CHECK(turned("1 3 2 1\n1 4 3 2\n") == Triangles{{0, 1, 2}, {0, 2, 3}});
+    CHECK(turned("1 2 3 1\n1 3 4 2\n") == Triangles{{0, 1, 2}, {0, 2, 3}});
+    CHECK(turned("1 3 2 1\n1 3 4 2\n") == Triangles{{0, 2, 1}, {0, 2, 3}});
+    CHECK(turned("1 3 2 1\n1 2 5 2\n") == Triangles{{0, 2, 1}, {0, 1, 4}});
+}
+
 TEST_CASE("what is no planar mesh is refused with its line") {
     const tests::TemporaryFolder folder;
     const auto check_refused = [&](const std::string& text, const std::string& word) {

@@ -47,7 +47,11 @@ TEST_CASE("a path is closed by Z or by its last point, and open otherwise; each 
     REQUIRE(two.size() == 3);
     CHECK(two[1].points[0] == Vector2d(1, -1));
     CHECK(two[2].points.size() == 3);
+    CHECK(two[0].name == "path 1, part 1");
+    CHECK(two[1].name == "path 1, part 2");
     CHECK(two[2].name == "path 2");
+    for (const char* closed_twice : {"M0 0L1 0L1 1Z Z", "M0 0L1 0L1 1zzZ", "M5 5Z M0 0L1 0L1 1Z"})
+        CHECK(points(closed_twice) == std::vector<Vector2d>{{0, 0}, {1, 0}, {1, -1}});
 }
 
 TEST_CASE("curves lie where they should, in even chords no longer than asked for") {
@@ -71,6 +75,51 @@ TEST_CASE("curves lie where they should, in even chords no longer than asked for
     CHECK(smooth == plain);
 }
 
+TEST_CASE("a curve that ends where it begins is divided by the size of its control points") {
+    const std::vector<io::SvgPath> paths = read("<path d='M0 0C10 10-10 10 0 0Z'/>", std::nullopt);
+    REQUIRE(paths.size() == 1);
+    CHECK(paths[0].is_closed);
+    REQUIRE(paths[0].points.size() > 20);
+    // The drop is (30 t (1-t)(1-2t), -30 t (1-t)) with t in [0, 1].
+    for (const Vector2d& p : paths[0].points) {
+        const double product = -p.y() / 30;
+        CHECK(p.x() * p.x() == Approx(900 * product * product * (1 - 4 * product)).margin(1e-9));
+    }
+    for (std::size_t i = 0; i + 1 < paths[0].points.size(); ++i)
+        CHECK((paths[0].points[i + 1] - paths[0].points[i]).norm() <= 0.2);
+}
+
+TEST_CASE("curves without length, tiny and huge ones are divided like others") {
+    for (const std::optional<double> edge_length : {std::optional<double>(), std::optional(1e-9)})
+        CHECK(points("M0 0C0 0 0 0 0 0Z", edge_length) == std::vector<Vector2d>{{0, 0}});
+    const std::size_t count = points("M0 0C10 10-10 10 0 0Z", std::nullopt).size();
+    for (const std::string scale : {"1e-200", "1e200"}) {
+        const auto scaled = read("<path transform='scale(" + scale + ")' d='M0 0C10 10-10 10 0 0Z'/>", std::nullopt);
+        REQUIRE(scaled.size() == 1);
+        CHECK(scaled[0].points.size() == count);
+    }
+}
+
+TEST_CASE("groups may lie in one another however deep") {
+    constexpr int depth = 200'000;
+    std::string body, end;
+    for (int i = 0; i < depth; ++i) body += "<g transform='translate(1)'>";
+    for (int i = 0; i < depth; ++i) end += "</g>";
+    const auto found = read(body + "<path d='M0 0L1 0L1 1Z'/>" + end);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].points[0] == Vector2d(depth, 0));
+}
+
+TEST_CASE("paths come in the order of the picture") {
+    const auto found =
+        read("<g><path d='M1 0H9'/><g><path d='M2 0H9'/></g></g><path d='M3 0H9'/><g><path d='M4 0H9'/></g>");
+    REQUIRE(found.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(found[i].points[0].x() == static_cast<double>(i + 1));
+        CHECK(found[i].name == "path " + std::to_string(i + 1));
+    }
+}
+
 TEST_CASE("transforms of a path and of the groups around it are applied; definitions are no part of the picture") {
     const std::string path = "<path transform='rotate(90)' d='M1 0L2 0L1 1Z'/>";
     const auto found = read("<defs>" + path + "</defs><g transform='translate(10, 20) scale(2)'>" + path + "</g>");
@@ -82,10 +131,10 @@ TEST_CASE("transforms of a path and of the groups around it are applied; definit
 }
 
 TEST_CASE("what can't be read is refused with its place") {
-    const auto check_refused = [](const std::string& body, const std::string& word) {
+    const auto check_refused = [](const std::string& body, const std::string& word, double edge_length = 1e9) {
         CAPTURE(body);
-        CHECK_THROWS_AS(read(body), core::InputError);
-        CHECK_THROWS_WITH(read(body), Catch::Contains(word) && Catch::Contains("picture.svg"));
+        CHECK_THROWS_AS(read(body, edge_length), core::InputError);
+        CHECK_THROWS_WITH(read(body, edge_length), Catch::Contains(word) && Catch::Contains("picture.svg"));
     };
     check_refused("<path d='M0 0L1 0A1 1 0 0 0 2 2Z'/>", "character 10");
     check_refused("<path d='M0 0L1 x'/>", "path 1");
@@ -93,6 +142,18 @@ TEST_CASE("what can't be read is refused with its place") {
     check_refused("<path d='M0 0L1 1Z 3 4'/>", "command");
     check_refused("<path d='M0 0L1e999 1'/>", "number");
     check_refused("<path transform='twist(3)' d='M0 0L1 0L1 1Z'/>", "transform");
-    check_refused("<rect/>", "no path");
+    check_refused("<g/>", "no path");
+    check_refused("<path d='M5 5Z'/>", "no path");
+    for (const std::string name : {"rect", "circle", "ellipse", "line", "use", "text", "image", "svg:rect"}) {
+        const std::string kind = name == "svg:rect" ? "rect" : name;
+        check_refused("<path d='M0 0L1 0L1 1Z'/><g><" + name + "/></g>", '"' + kind + '"');
+        CHECK(read("<defs><" + name + "/></defs><path d='M0 0L1 0L1 1Z'/>").size() == 1);
+    }
+    check_refused("<g transform='scale(1e200)'><path transform='scale(1e200)' d='M0 0L1 0L1 1Z'/></g>", "too large");
+    for (const double edge_length : {1e-9, 1e-30, 5e-324})
+        check_refused("<path d='M0 0L1 0L1 1Z'/><path d='M0 0C10 10-10 10 0 0Z'/>", "path 2: its curves", edge_length);
+    // Not one curve, but all of them.
+    check_refused("<path d='M0 0Q1 2 2 0T4 0T6 0T8 0T10 0T12 0Z'/>", "million", 8e-6);
+    CHECK(read("<path d='M0 0Q1 2 2 0Z'/>", 8e-6)[0].points.size() > 200'000);
     check_refused("<path", "picture.svg");
 }

@@ -14,6 +14,7 @@
 #include "dsc2d/generate/complex_around.h"
 #include "dsc2d/generate/shapes.h"
 #include "dsc2d/interface.h"
+#include "dsc2d/validate.h"
 #include "geometry/polygon_check.h"
 #include "io/planar_mesh.h"
 
@@ -122,10 +123,48 @@ void require_room(const ShapeOptions& options, const Outlines& outlines, const B
     }
 }
 
+// Coordinates lie on the grid of the domain, whose spacing grows with the distance from the origin.
+void require_resolution(const std::string& source, const dsc2d::Domain& domain, double edge_length) {
+    constexpr double least_spacings = 1000;
+    if (edge_length >= least_spacings * domain.quantum()) return;
+    throw core::InputError(source, "",
+                           fmt::format("the edge length {:.3g} is too small for coordinates near ({:.3g}, {:.3g})",
+                                       edge_length, domain.origin().x(), domain.origin().y()),
+                           "move the shape to the origin, or give a greater --edge-length");
+}
+
 double mean_length(const dsc2d::Interface& interface) {
     double sum = 0;
     for (const dsc2d::InterfaceSegment& s : interface.segments) sum += s.vector.norm();
     return sum / static_cast<double>(interface.segments.size());
+}
+
+// The walls of a domain are the sides of a box: a mesh that ends elsewhere would lose what is moved there.
+void require_box(const std::string& source, const Complex& complex) {
+    constexpr double rounding = 1e-9;
+    const auto text = [](const Point2& p) { return fmt::format("({:.6g}, {:.6g})", p.x(), p.y()); };
+    const std::string cure = "fill a whole box with triangles that share their vertices, label 0 being outside";
+    Box box;
+    for (std::uint32_t v = 0; v < complex.vertex_capacity(); ++v) box.extend(complex.position(dsc2d::VertexId(v)));
+    for (std::uint32_t e = 0; e < complex.edge_capacity(); ++e) {
+        const dsc2d::HalfedgeId h = Complex::halfedge(dsc2d::EdgeId(e));
+        if (!complex.is_boundary(dsc2d::EdgeId(e))) continue;
+        const Point2 &a = complex.position(complex.from(h)), &b = complex.position(complex.to(h));
+        const auto are_both_on = [&](const Point2& corner) {
+            return (a.array() == corner.array() && b.array() == corner.array()).any();
+        };
+        if (are_both_on(box.min()) || are_both_on(box.max())) continue;
+        throw core::InputError(
+            source, "edge from " + text(a) + " to " + text(b),
+            "the mesh ends here, inside its bounding box from " + text(box.min()) + " to " + text(box.max()), cure);
+    }
+    const double area = total_area(complex);
+    if (std::abs(area - box.volume()) > rounding * box.volume())
+        throw core::InputError(
+            source, "",
+            fmt::format("its triangles overlap: their area is {:.9g}, that of their bounding box {:.9g}", area,
+                        box.volume()),
+            cure);
 }
 
 InitialComplex from_mesh(const ShapeOptions& options) {
@@ -138,12 +177,15 @@ InitialComplex from_mesh(const ShapeOptions& options) {
         points.emplace_back(p.head<2>());
         box.extend(points.back());
     }
+    if (!(box.sizes().minCoeff() > 0))
+        throw core::InputError(options.path, "", "all vertices lie on a line", "give a planar triangulation of a box");
     std::vector<dsc2d::TriangleInput> triangles;
     const dsc2d::LatticeVector zero = dsc2d::LatticeVector::Zero();
     for (std::size_t i = 0; i < data.triangles.size(); ++i)
         triangles.push_back({data.triangles[i], {zero, zero, zero}, data.label(i)});
     try {
         InitialComplex result{.complex = Complex(domain_of(options, box), points, triangles), .domain = box};
+        require_box(options.path, result.complex);
         const dsc2d::Interface interface(result.complex);
         if (interface.segments.empty())
             throw core::InputError(options.path, "", "all triangles have the same label, so there is nothing to move",
@@ -152,7 +194,8 @@ InitialComplex from_mesh(const ShapeOptions& options) {
         return result;
     } catch (const core::InputError& error) {
         if (error.source() == options.path) throw;
-        throw core::InputError(options.path, "", error.what(), "give a planar triangulation");
+        throw core::InputError(options.path, "", error.what(),
+                               "give a planar triangulation (the numbers begin with 0)");
     }
 }
 
@@ -164,10 +207,16 @@ InitialComplex initial_complex(const ShapeOptions& options, const core::Observer
     const Outlines outlines = by_name(options);
     const Box box = options.domain.value_or(default_domain(bounds(outlines.regions)));
     require_room(options, outlines, box);
-    return {
-        .complex = dsc2d::complex_around(domain_of(options, box), outlines.regions, outlines.edge_length, {}, observer),
-        .domain = box,
-        .edge_length = outlines.edge_length};
+    const std::string source = options.shape == Shape::file ? options.path : "the shape";
+    const dsc2d::Domain domain = domain_of(options, box);
+    require_resolution(source, domain, outlines.edge_length);
+    try {
+        return {.complex = dsc2d::complex_around(domain, outlines.regions, outlines.edge_length, {}, observer),
+                .domain = box,
+                .edge_length = outlines.edge_length};
+    } catch (const core::InputError& error) {
+        throw core::InputError(source, "", error.what(), "");
+    }
 }
 
 dsc2d::Parameters deformation(const InitialComplex& initial, motion::TopologyPolicy topology) {

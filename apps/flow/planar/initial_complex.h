@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mesh that a flow in the plane begins with: of a shape by name, of polygons from a file, or a labelled planar
-// mesh. Guarantee: label 0 is outside; sides of polygons are edges of the mesh, long ones divided; a mesh from a file
-// stays as it is. Cost: that of dsc2d/generate/complex_around.h.
+// mesh. Guarantee: label 0 is outside; sides of polygons are edges of the mesh, long ones divided; a mesh from a file,
+// which has to fill a box, stays as it is. Cost: that of dsc2d/generate/complex_around.h.
 #pragma once
 
 #include "apps/flow/planar/options.h"

@@ -7,7 +7,8 @@
 //
 // The last side goes from the last point to the first one, which may be repeated. Without labels, a polygon inside
 // another one is a hole, one inside a hole an object again (even-odd). Guarantee: polygons are simple and apart from
-// each other; those inside come after those around them. Whatever is wrong throws core::InputError with the place.
+// each other; those inside come after those around them; not all labels are 0. Whatever is wrong throws
+// core::InputError with the place.
 // Cost: that of geometry/polygon_check.h.
 #pragma once
 
