@@ -115,4 +115,11 @@ std::optional<Point3> collapsed_position(const OneRing& a, const OneRing& b, con
                               is_feature_edge(a, b.centre, parameters.feature_angle), parameters);
 }
 
+Point3 dominant_position(const OneRing& a, const OneRing& b, const CollapseParameters& parameters) {
+    const VertexFeature feature_a = feature(a, parameters.feature_angle);
+    const VertexFeature feature_b = feature(b, parameters.feature_angle);
+    if (feature_a == feature_b) return (a.centre + b.centre) / 2;
+    return feature_a > feature_b ? a.centre : b.centre;
+}
+
 }  // namespace dsc::surface

@@ -37,4 +37,8 @@ std::optional<Point3> collapsed_position(const OneRing& a, VertexFeature feature
 /// The same, when the features are not known yet.
 std::optional<Point3> collapsed_position(const OneRing& a, const OneRing& b, const CollapseParameters& parameters);
 
+/// Where both ends of an edge that is too short to mean anything go, whatever that does to the surface: to the end that
+/// carries more of the shape, or to the middle.
+Point3 dominant_position(const OneRing& a, const OneRing& b, const CollapseParameters& parameters);
+
 }  // namespace dsc::surface

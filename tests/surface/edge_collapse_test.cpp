@@ -116,6 +116,30 @@ TEST_CASE("nothing is collapsed that would turn a triangle over or make a sliver
     CHECK_FALSE(collapsed(peak, number(0, 0), number(0, 1)).has_value());
 }
 
+TEST_CASE("an edge that is too short goes to the end that carries the shape, or to the middle") {
+    const auto dominant = [](const geometry::SurfaceData& surface, std::uint32_t a, std::uint32_t b) {
+        const VertexRings rings(surface);
+        std::vector<RingTriangle> at_a, at_b;
+        const OneRing ring_a = rings.ring(a, at_a), ring_b = rings.ring(b, at_b);
+        const Point3 place = dominant_position(ring_a, ring_b, {});
+        REQUIRE(dominant_position(ring_b, ring_a, {}) == place);  // whichever end comes first
+        return place;
+    };
+    const geometry::SurfaceData plane = sheet(4, [](int, int) { return 0.0; });
+    CHECK(dominant(plane, number(0, 0), number(0, 1)) == Point3(0, 0.5, 0));
+    const geometry::SurfaceData roof = sheet(4, [](int i, int) { return -std::abs(i); });
+    CHECK(dominant(roof, number(0, 0), number(1, 0)) == Point3(0, 0, 0));
+    CHECK(dominant(roof, number(0, 0), number(0, 1)) == Point3(0, 0.5, 0));
+    const geometry::SurfaceData corner = sheet(4, [](int i, int j) { return -2.0 * std::max({i, j, 0}); });
+    CHECK(dominant(corner, number(0, 0), number(0, -1)) == Point3(0, 0, 0));
+    CHECK(dominant(corner, number(-1, -1), number(0, 0)) == Point3(0, 0, 0));
+    // What collapsed_position() refuses, a bank across and a peak, has a place too.
+    const geometry::SurfaceData bank = sheet(4, [](int i, int) { return i <= 0 ? i : 1.0 - i; });
+    CHECK(dominant(bank, number(0, 0), number(1, 0)) == Point3(0.5, 0, 0));
+    const geometry::SurfaceData peak = sheet(4, [](int i, int j) { return i == 0 && j == 0 ? 1.0 : 0.0; });
+    CHECK(dominant(peak, number(0, 0), number(0, 1)) == Point3(0, 0.5, 0.5));  // of two corners
+}
+
 TEST_CASE("collapse parameters out of their range are refused by name") {
     CHECK_THROWS_WITH(CollapseParameters{.max_turn = 90}.validate(), Catch::StartsWith("max_turn"));
     CHECK_THROWS_WITH(CollapseParameters{.min_angle = 60}.validate(), Catch::StartsWith("min_angle"));
