@@ -27,6 +27,8 @@ Escapes::Attempt Escapes::attempt(TetId t, double worst) {
     const std::size_t changed = mesh_.transaction().touched().size() + mesh_.transaction().qualities_before().size();
     const bool is_kept = is_changed && is_better(worst);
     if (is_kept) {
+        const std::span<const TetId> touched = mesh_.transaction().touched();
+        changed_.assign(touched.begin(), touched.end());
         mesh_.commit();
     } else {
         mesh_.roll_back();

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/random.h"
@@ -38,6 +39,8 @@ public:
     };
     /// One attempt at t, in a mesh whose worst quality is `worst`.
     Attempt attempt(TetId t, double worst);
+    /// The tetrahedra that the last attempt that was kept has made or changed.
+    std::span<const TetId> changed() const { return changed_; }
 
 private:
     bool kick(TetId t);
@@ -61,6 +64,7 @@ private:
     Proposal proposal_;
     std::vector<VertexId> region_;
     std::vector<TetId> tets_;
+    std::vector<TetId> changed_;
 };
 
 }  // namespace dsc::dsc3d

@@ -142,4 +142,24 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
     return keeps_topology(complex, e, kept, mesh.walker());
 }
 
+bool EdgeCollapse::collapse_at(RatedMesh& mesh, EdgeId e, VertexId kept, const Point3& place, double enough) {
+    const Complex& complex = mesh.complex();
+    if (!keeps_topology(complex, e, kept, mesh.walker())) return false;
+    const VertexId gone = other_end(complex, e, kept);
+    proposal_.clear();
+    proposal_.gone = gone;
+    const std::span<const TetId> star_of_kept = mesh.walker().star(kept);
+    proposal_.removed.assign(star_of_kept.begin(), star_of_kept.end());
+    for (const TetId t : mesh.walker().star(gone))
+        if (!complex.has_vertex(t, kept)) proposal_.removed.push_back(t);
+    for (const TetId t : proposal_.removed) {
+        if (complex.has_vertex(t, kept) && complex.has_vertex(t, gone)) continue;
+        NewTet tet = {complex.vertices(t), complex.label(t)};
+        if (complex.has_vertex(t, gone)) tet.vertices[static_cast<std::size_t>(complex.index_of(t, gone))] = kept;
+        proposal_.added.push_back(tet);
+    }
+    const double least = std::min(mesh.worst_quality(proposal_.removed), enough);
+    return mesh.apply_with(proposal_, kept, place, least);
+}
+
 }  // namespace dsc::dsc3d

@@ -29,6 +29,11 @@ public:
     /// min(worst before, `enough`).
     bool propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enough, Proposal& proposal);
 
+    /// Collapses e to a vertex at `place`, whether or not the surface stays; `kept` is its handle. False, and nothing
+    /// is changed, when that would change the topology, or make a tetrahedron worse than min(worst before, `enough`).
+    /// Precondition: no face at the other end has a patch.
+    bool collapse_at(RatedMesh& mesh, EdgeId e, VertexId kept, const Point3& place, double enough);
+
 private:
     bool keeps_topology_of_surface(const Complex& complex, EdgeId e, VertexId kept, VertexId gone,
                                    std::span<const TetId> star_of_kept);
@@ -42,6 +47,7 @@ private:
     SurfaceLink surface_of_kept_;
     SurfaceLink surface_of_gone_;
     EdgeRing ring_;
+    Proposal proposal_;
 };
 
 }  // namespace dsc::dsc3d

@@ -48,16 +48,35 @@ bool EdgeRemoval::propose(RatedMesh& mesh, EdgeId e, Proposal& proposal, std::op
     if (!is_surface) return n >= 3 && add_arc(mesh, 0, n, threshold, proposal);
 
     const std::int32_t patch = mesh.surface().flat_patch(complex, ring_);
-    if (patch == FlatSurface::no_patch) return false;
-    if (ring_.is_closed) begin_at_interface(complex, ring_);
+    if (patch == FlatSurface::no_patch || !add_surface_arcs(mesh, threshold, proposal)) return false;
+    proposal.surface = {{{ring_.a, c_, d_}, patch}, {{ring_.b, c_, d_}, patch}};
+    return true;
+}
+
+bool EdgeRemoval::propose_flip(RatedMesh& mesh, EdgeId e, Proposal& proposal, double wanted) {
+    const Complex& complex = mesh.complex();
+    if (complex.is_boundary(e) || complex.surface_degree(e) != 2) return false;
+    gather_ring(complex, e, ring_);
+    if (ring_.tets.size() > static_cast<std::size_t>(max_ring)) return false;
+    proposal.clear();
+    proposal.removed = ring_.tets;
+    proposal.quality_before = mesh.worst_quality(ring_.tets);
+    proposal.quality_after = std::numeric_limits<double>::infinity();
+    return add_surface_arcs(mesh, std::max(wanted, least_surface_quality), proposal);
+}
+
+// The two parts of the ring of a surface edge, or the one on the boundary, with the edge cd between them.
+bool EdgeRemoval::add_surface_arcs(RatedMesh& mesh, double threshold, Proposal& proposal) {
+    const std::size_t n = ring_.tets.size();
+    if (ring_.is_closed) begin_at_interface(mesh.complex(), ring_);
     const std::size_t middle = ring_.is_closed ? opposite_surface_vertex(mesh, ring_) : n;
-    const VertexId c = ring_.link[0], d = ring_.link[middle];
+    c_ = ring_.link[0];
+    d_ = ring_.link[middle];
     if (middle < 2 || !add_arc(mesh, 0, middle + 1, threshold, proposal)) return false;
     if (ring_.is_closed && (n - middle < 2 || !add_arc(mesh, middle, n - middle + 1, threshold, proposal)))
         return false;
-    proposal.surface = {{{ring_.a, c, d}, patch}, {{ring_.b, c, d}, patch}};
-    // Where a surface is flat up to its tolerance, c and d can be joined already, along a ridge.
-    return !mesh.walker().edge_between(c, d).is_valid();
+    // Where a surface is flat up to its tolerance, or bent, c and d can be joined already.
+    return !mesh.walker().edge_between(c_, d_).is_valid();
 }
 
 // Triangulates the part of the link that begins at vertex `begin`; its first and last vertex are joined.

@@ -21,10 +21,16 @@ public:
     /// by default better than the worst of those that go.
     bool propose(RatedMesh& mesh, EdgeId e, Proposal& proposal, std::optional<double> wanted = {});
 
+    /// The same for an interface edge between two triangles, whether or not they are in one plane: the surface moves
+    /// over the tetrahedron of the two. Precondition: interfaces have no patches.
+    bool propose_flip(RatedMesh& mesh, EdgeId e, Proposal& proposal, double wanted);
+
 private:
+    bool add_surface_arcs(RatedMesh& mesh, double threshold, Proposal& proposal);
     bool add_arc(const RatedMesh& mesh, std::size_t begin, std::size_t vertices, double threshold, Proposal& proposal);
 
     EdgeRing ring_;
+    VertexId c_, d_;  ///< what the new surface edge joins
 };
 
 }  // namespace dsc::dsc3d

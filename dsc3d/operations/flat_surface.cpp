@@ -47,7 +47,7 @@ public:
         std::vector<std::pair<double, FaceId>> seeds;
         for (std::uint32_t i = 0; i < complex_.face_capacity(); ++i) {
             const FaceId f(i);
-            if (!complex_.is_deleted(f) && complex_.is_surface(f)) seeds.emplace_back(-normal(f).norm(), f);
+            if (!complex_.is_deleted(f) && surface_.has_patch(complex_, f)) seeds.emplace_back(-normal(f).norm(), f);
         }
         std::sort(seeds.begin(), seeds.end());
         for (const auto& [negative_area, seed] : seeds)
@@ -58,7 +58,7 @@ public:
         std::vector<std::vector<EdgeId>> ridges(complex_.vertex_capacity());
         for (std::uint32_t i = 0; i < complex_.edge_capacity(); ++i) {
             const EdgeId e(i);
-            if (complex_.is_deleted(e) || !complex_.is_surface(e) || !surface_.is_ridge(complex_, e, ring_)) continue;
+            if (complex_.is_deleted(e) || !complex_.is_surface(e) || !is_ridge(e)) continue;
             for (const VertexId v : complex_.vertices(e)) ridges[v.index()].push_back(e);
         }
         StarWalker walker(complex_);
@@ -107,19 +107,42 @@ private:
             const FaceId f = front_.back();
             front_.pop_back();
             for (const EdgeId e : complex_.edges(f)) {
-                if (complex_.surface_degree(e) != 2) continue;
-                const FaceId next = other_surface_face(e, f);
+                const FaceId next = next_face(e, f);
+                if (!next.is_valid()) continue;
                 if (surface_.patch_[next] != no_patch || complex_.is_boundary(next) != complex_.is_boundary(f))
                     continue;
                 if (!lies_in(plane, next) || is_bent(f, next, plane.normal)) continue;
-                if (sides(next, plane.normal) != labels) continue;
+                // Labels behind the boundary change while its planes stay.
+                if (surface_.kind_ == Kind::flat && sides(next, plane.normal) != labels) continue;
                 surface_.patch_[next] = patch;
                 front_.push_back(next);
             }
         }
     }
 
-    FaceId other_surface_face(EdgeId e, FaceId f) {
+    // Where interfaces have no patches, they don't part those of the boundary either.
+    bool is_ridge(EdgeId e) {
+        if (surface_.kind_ == Kind::flat) return surface_.is_ridge(complex_, e, ring_);
+        if (!complex_.is_boundary(e)) return false;
+        const std::array<FaceId, 2> sides = boundary_faces(e);
+        return surface_.patch_[sides[0]] != surface_.patch_[sides[1]];
+    }
+
+    std::array<FaceId, 2> boundary_faces(EdgeId e) {
+        gather_ring(complex_, e, ring_);
+        const TetId first = ring_.tets.front(), last = ring_.tets.back();
+        const std::size_t n = ring_.tets.size();
+        return {complex_.faces(first)[static_cast<std::size_t>(complex_.index_of(first, ring_.link[1]))],
+                complex_.faces(last)[static_cast<std::size_t>(complex_.index_of(last, ring_.link[n - 1]))]};
+    }
+
+    // The face that goes on behind e, if there is just one.
+    FaceId next_face(EdgeId e, FaceId f) {
+        if (surface_.kind_ == Kind::flat_boundary) {
+            const std::array<FaceId, 2> sides = boundary_faces(e);
+            return sides[0] == f ? sides[1] : sides[0];
+        }
+        if (complex_.surface_degree(e) != 2) return {};
         gather_ring(complex_, e, ring_);
         FaceId other;
         for (const TetId t : ring_.tets) {
@@ -152,7 +175,8 @@ private:
         for (const TetId t : star) {
             for (int i = 0; i < 4; ++i) {
                 const FaceId f = complex_.faces(t)[static_cast<std::size_t>(i)];
-                if (complex_.vertices(t)[static_cast<std::size_t>(i)] == v || !complex_.is_surface(f)) continue;
+                if (complex_.vertices(t)[static_cast<std::size_t>(i)] == v || !surface_.has_patch(complex_, f))
+                    continue;
                 if (patch && *patch != surface_.patch_[f]) return std::nullopt;
                 patch = surface_.patch_[f];
             }
@@ -245,10 +269,28 @@ FlatSurface::FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& paramete
     }
 }
 
-FlatSurface::FlatSurface(const Complex& rigid)
-    : patch_(rigid.face_attributes(), no_patch), freedom_(rigid.vertex_attributes()), rigid_(&rigid) {}
+FlatSurface::FlatSurface(const Complex& complex, Kind kind)
+    : patch_(complex.face_attributes(), no_patch),
+      freedom_(complex.vertex_attributes()),
+      kind_(kind),
+      complex_(&complex) {}
 
-FlatSurface FlatSurface::rigid(const Mesh& mesh) { return FlatSurface(mesh.complex()); }
+FlatSurface FlatSurface::rigid(const Mesh& mesh) { return FlatSurface(mesh.complex(), Kind::rigid); }
+
+FlatSurface FlatSurface::flat_boundary(const Mesh& mesh) {
+    FlatSurface surface(mesh.complex(), Kind::flat_boundary);
+    Builder builder(surface, mesh, {});
+    builder.find_patches();
+    builder.classify_vertices();
+    return surface;
+}
+
+FlatSurface::Freedom FlatSurface::freedom_between(const Point3& a, const Point3& b, std::int32_t first_patch,
+                                                  std::int32_t second_patch) {
+    if (first_patch == second_patch) return {VertexMotion::plane, first_patch};
+    lines_.push_back({a, (b - a).normalized()});
+    return {VertexMotion::line, static_cast<std::int32_t>(lines_.size()) - 1};
+}
 
 Eigen::Vector3d FlatSurface::allowed(VertexId v, const Eigen::Vector3d& step) const {
     switch (motion(v)) {
@@ -267,12 +309,16 @@ Eigen::Vector3d FlatSurface::allowed(VertexId v, const Eigen::Vector3d& step) co
 }
 
 Point3 FlatSurface::settled(VertexId v, const Point3& position) const {
-    if (motion(v) == VertexMotion::plane) {
-        const Plane& plane = planes_[static_cast<std::size_t>(freedom_[v].carrier)];
+    return settled({motion(v), freedom_[v].carrier}, position);
+}
+
+Point3 FlatSurface::settled(const Freedom& freedom, const Point3& position) const {
+    if (freedom.motion == VertexMotion::plane) {
+        const Plane& plane = planes_[static_cast<std::size_t>(freedom.carrier)];
         return position - plane.normal.dot(position - plane.point) * plane.normal;
     }
-    if (motion(v) == VertexMotion::line) {
-        const Line& line = lines_[static_cast<std::size_t>(freedom_[v].carrier)];
+    if (freedom.motion == VertexMotion::line) {
+        const Line& line = lines_[static_cast<std::size_t>(freedom.carrier)];
         return line.point + line.direction.dot(position - line.point) * line.direction;
     }
     return position;

@@ -39,22 +39,42 @@ public:
     /// A surface that stays as it is, also while labels change: what is on the surface is fixed, what is off it is
     /// free. The mesh must stay at its address.
     static FlatSurface rigid(const Mesh& mesh);
-    bool is_rigid() const { return rigid_ != nullptr; }
+    /// A surface whose interfaces stay as they are, also while labels change, and whose boundary may change where it is
+    /// flat, by no more than rounding. The mesh must stay at its address.
+    static FlatSurface flat_boundary(const Mesh& mesh);
+
+    /// Whether the face has a patch: only those faces may give way to others.
+    bool has_patch(const Complex& complex, FaceId f) const {
+        switch (kind_) {
+            case Kind::flat: return complex.is_surface(f);
+            case Kind::flat_boundary: return complex.is_boundary(f);
+            case Kind::rigid: break;
+        }
+        return false;
+    }
 
     /// The patch of a surface face; faces of two patches are never exchanged.
     std::int32_t patch(FaceId f) const { return patch_[f]; }
     void set_patch(FaceId f, std::int32_t patch) { patch_[f] = patch; }
 
     VertexMotion motion(VertexId v) const {
-        if (rigid_ != nullptr) return rigid_->is_surface(v) ? VertexMotion::fixed : VertexMotion::free;
-        return freedom_[v].motion;
+        if (kind_ == Kind::flat) return freedom_[v].motion;
+        if (!complex_->is_surface(v)) return VertexMotion::free;
+        return kind_ == Kind::rigid || complex_->is_interface(v) ? VertexMotion::fixed : freedom_[v].motion;
     }
     const Freedom& freedom(VertexId v) const { return freedom_[v]; }
     void set_freedom(VertexId v, const Freedom& freedom) { freedom_[v] = freedom; }
+    /// The freedom of a new vertex on the boundary edge from a to b, between faces of these patches.
+    Freedom freedom_between(const Point3& a, const Point3& b, std::int32_t first_patch, std::int32_t second_patch);
     /// `step` reduced to a direction in which v may move.
     Eigen::Vector3d allowed(VertexId v, const Eigen::Vector3d& step) const;
     /// `position` put back on the plane or segment of v, whose rounding errors would add up otherwise.
     Point3 settled(VertexId v, const Point3& position) const;
+    /// Where a vertex of the boundary goes that is sent to `position` along it, as an interface that slides on a wall
+    /// takes it: the nearest place in its plane or on the line of its segment; its present place, when it is a corner.
+    Point3 along_boundary(VertexId v, const Point3& present, const Point3& position) const {
+        return freedom_[v].motion == VertexMotion::fixed ? present : settled(freedom_[v], position);
+    }
     /// Whether `position` is within half the tolerance of the plane or line of v. A settled one need not be: far from
     /// the origin, or with a tolerance of 0, rounding alone is more.
     bool has_room(VertexId v, const Point3& position) const;
@@ -65,6 +85,10 @@ public:
     std::int32_t flat_patch(const Complex& complex, const EdgeRing& ring) const;
 
 private:
+    Point3 settled(const Freedom& freedom, const Point3& position) const;
+
+    enum class Kind : std::uint8_t { flat, flat_boundary, rigid };
+
     struct Plane {
         Point3 point;
         Eigen::Vector3d normal;
@@ -76,14 +100,15 @@ private:
 
     class Builder;
 
-    explicit FlatSurface(const Complex& rigid);
+    FlatSurface(const Complex& complex, Kind kind);
 
     core::Attribute<FaceId, std::int32_t> patch_;
     core::Attribute<VertexId, Freedom> freedom_;
     std::vector<Plane> planes_;  ///< by patch
     std::vector<Line> lines_;
     double half_tolerance_ = 0;  ///< a length
-    const Complex* rigid_ = nullptr;
+    Kind kind_ = Kind::flat;
+    const Complex* complex_ = nullptr;  ///< where flags are asked for, because interfaces change
 };
 
 }  // namespace dsc::dsc3d

@@ -71,6 +71,21 @@ bool RatedMesh::apply(const Proposal& proposal) {
     return true;
 }
 
+bool RatedMesh::apply_with(const Proposal& proposal, VertexId v, const Point3& place, double least) {
+    DSC_ASSERT(!transaction_.is_open());
+    const Point3 before = mesh_->position(v);
+    mesh_->set_position(v, place);
+    const bool is_good = std::all_of(proposal.added.begin(), proposal.added.end(), [&](const NewTet& tet) {
+        return mesh_->is_positive(tet.vertices) && rate(tet.vertices) >= least;
+    });
+    if (is_good) {
+        exchange(proposal.removed, proposal.added, proposal.surface);
+    } else {
+        mesh_->set_position(v, before);
+    }
+    return is_good;
+}
+
 void RatedMesh::exchange(std::span<const TetId> removed, std::span<const NewTet> added,
                          std::span<const SurfaceFace> surface) {
     ++time_;
@@ -83,7 +98,7 @@ void RatedMesh::exchange(std::span<const TetId> removed, std::span<const NewTet>
         if (transaction_.is_open()) transaction_.note_new(change.added_tets[i]);
     }
     for (const FaceId f : change.added_faces) {
-        if (surface_.is_rigid() || !complex().is_surface(f)) continue;
+        if (!surface_.has_patch(complex(), f)) continue;
         const FaceVertices corners = complex().vertices(f);
         const auto known = std::find_if(surface.begin(), surface.end(), [&](const SurfaceFace& face) {
             return std::is_permutation(corners.begin(), corners.end(), face.vertices.begin());
@@ -111,13 +126,49 @@ bool RatedMesh::move(VertexId v, const Point3& position, std::span<const TetId> 
     return true;
 }
 
-bool RatedMesh::split(EdgeId e, const Point3& position) {
+void RatedMesh::move_together(std::span<const VertexId> vertices, std::span<const Point3> positions,
+                              std::span<const TetId> star, std::span<const double> qualities) {
     DSC_ASSERT(!transaction_.is_open());
-    if (!can_split(*mesh_, e, position)) return false;
-    const VertexId m = dsc3d::split(*mesh_, e, position);
+    for (std::size_t i = 0; i < vertices.size(); ++i) mesh_->set_position(vertices[i], positions[i]);
     ++time_;
-    for (const TetId t : walker_.star(m)) rate_again(t);
-    return true;
+    for (std::size_t i = 0; i < star.size(); ++i) {
+        DSC_ASSERT(mesh_->is_positive(complex().vertices(star[i])));
+        quality_[star[i]] = qualities[i];
+        for (const VertexId v : complex().vertices(star[i])) changed_[v] = time_;
+    }
+}
+
+VertexId RatedMesh::split(EdgeId e, const Point3& position) {
+    if (!can_split(*mesh_, e, position)) return {};
+    EdgeRing ring;
+    gather_ring(complex(), e, ring);
+    const VertexId m = mesh_->complex().add_vertex();
+    mesh_->set_position(m, position);
+    Proposal parts{.removed = ring.tets};
+    if (!ring.is_closed) add_boundary_parts(ring, m, parts);
+    for (const TetId t : ring.tets) {
+        for (const VertexId end : {ring.a, ring.b}) {
+            NewTet part = {complex().vertices(t), complex().label(t)};
+            part.vertices[static_cast<std::size_t>(complex().index_of(t, end))] = m;
+            parts.added.push_back(part);
+        }
+    }
+    [[maybe_unused]] const bool is_split = apply(parts);
+    DSC_ASSERT(is_split);
+    return m;
+}
+
+// The boundary faces at the edge are divided too, and m moves as they allow.
+void RatedMesh::add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& parts) {
+    const auto patch = [&](TetId t, VertexId opposite) {
+        const FaceId f = complex().faces(t)[static_cast<std::size_t>(complex().index_of(t, opposite))];
+        return surface_.patch(f);
+    };
+    const std::size_t n = ring.tets.size();
+    const std::int32_t first = patch(ring.tets[0], ring.link[1]), last = patch(ring.tets[n - 1], ring.link[n - 1]);
+    for (const auto& [corner, of_face] : {std::pair(ring.link[0], first), std::pair(ring.link[n], last)})
+        for (const VertexId end : {ring.a, ring.b}) parts.surface.push_back({{end, m, corner}, of_face});
+    surface_.set_freedom(m, surface_.freedom_between(position(ring.a), position(ring.b), first, last));
 }
 
 void RatedMesh::set_label(TetId t, int label) {

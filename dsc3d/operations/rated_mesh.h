@@ -81,6 +81,8 @@ public:
     /// From now on a collapse makes no edge longer than `growth` times the present mean length of the edges at its
     /// ends.
     void limit_edges(double growth);
+    /// ... or than this.
+    void set_longest_edge(VertexId v, double length) { longest_edge_[v] = length; }
     bool allows_edge(VertexId a, VertexId b) const {
         const double longest = std::max(longest_edge_[a], longest_edge_[b]);
         return (position(a) - position(b)).squaredNorm() <= longest * longest;
@@ -88,13 +90,20 @@ public:
 
     /// False, and nothing is changed, when a new tetrahedron is not positive by exact predicate.
     bool apply(const Proposal& proposal);
+    /// The same with v, whose whole star is replaced, moved to `place`; false also when a new tetrahedron would be
+    /// worse than `least`. Precondition: no transaction is open.
+    bool apply_with(const Proposal& proposal, VertexId v, const Point3& place, double least);
     /// Moves a vertex; false, and nothing is changed, when a tetrahedron of `star` (all that have v) would not stay
     /// positive by exact predicate, or would be worse than `least`.
     bool move(VertexId v, const Point3& position, std::span<const TetId> star,
               double least = -std::numeric_limits<double>::infinity());
-    /// Splits an edge; false, and nothing is changed, when a part would not be positive by exact predicate.
-    /// Precondition: no transaction is open.
-    bool split(EdgeId e, const Point3& position);
+    /// Moves many vertices in one step. Preconditions: no transaction is open; `star` has, once each, all tetrahedra at
+    /// the vertices; they are positive by exact predicate afterwards, and `qualities` are theirs then.
+    void move_together(std::span<const VertexId> vertices, std::span<const Point3> positions,
+                       std::span<const TetId> star, std::span<const double> qualities);
+    /// The new vertex on e; invalid, and nothing is changed, when a part would not be positive by exact predicate.
+    /// Precondition: e is not on an interface that has patches.
+    VertexId split(EdgeId e, const Point3& position);
     void set_label(TetId t, int label);
 
     /// From here on changes can be taken back, all at once. Precondition: no transaction is open.
@@ -113,6 +122,7 @@ public:
 
 private:
     void exchange(std::span<const TetId> removed, std::span<const NewTet> added, std::span<const SurfaceFace> surface);
+    void add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& parts);
     void rate_again(TetId t);
 
     Mesh* mesh_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dsc3d/operations/edge_collapse.h"
 
+#include "dsc3d/label_statistics.h"
 #include "dsc3d/operations/split.h"
 #include "tests/dsc3d/random_topology.h"
 #include "tests/dsc3d/samples.h"
@@ -170,4 +171,76 @@ TEST_CASE("collapses that keep topology leave a manifold complex whose regions h
         }
         CHECK(done > 30);
     }
+}
+
+TEST_CASE("a collapse to a place of the interface keeps the topology of all regions, or changes nothing") {
+    Random random(seed(7));
+    int done = 0, refused = 0;
+    for (int trial = 0; trial < 4; ++trial) {
+        TetData data = box({5, 5, 5});
+        for (const auto& tet : data.tets) {
+            Point3 p = Point3::Zero();
+            for (const std::uint32_t v : tet) p += data.vertices[v] / 4;
+            const bool is_in = (p - Point3(2.5, 2.5, 2.5)).norm() < 1.6;
+            data.labels.push_back(is_in ? (trial % 2 == 1 && p.x() > 2.5 ? 2 : 1) : 0);
+        }
+        shake_inside(data, 0.1, random);
+        Mesh mesh(data);
+        const Complex& complex = mesh.complex();
+        RatedMesh rated(mesh, QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh));
+        EdgeCollapse collapse;
+        for (int attempt = 0; attempt < 60; ++attempt) {
+            std::vector<EdgeId> candidates;
+            for (const EdgeId e : edges(complex)) {
+                const auto [a, b] = complex.vertices(e);
+                if (complex.is_interface(e) && !complex.is_boundary(a) && !complex.is_boundary(b))
+                    candidates.push_back(e);
+            }
+            if (candidates.empty()) break;
+            const EdgeId e = candidates[random.below(candidates.size())];
+            const auto ends = complex.vertices(e);
+            const std::size_t which = random.below(2);
+            const VertexId kept = ends[which], gone = ends[1 - which];
+            const double share = std::array{0.0, 0.5, 1.0}[random.below(3)];
+            const Point3 place = (1 - share) * mesh.position(kept) + share * mesh.position(gone);
+            const double enough = attempt % 2 == 0 ? 0.05 : 0.2;
+            const auto tets_before = labelled_tets(complex);
+            const Point3 kept_before = mesh.position(kept), gone_before = mesh.position(gone);
+            const auto volume = volumes(mesh);
+            const auto before = label_statistics(mesh);
+            double worst = 1;
+            for (const TetId t : tets(complex))
+                if (complex.has_vertex(t, kept) || complex.has_vertex(t, gone))
+                    worst = std::min(worst, rated.quality(t));
+
+            if (!collapse.collapse_at(rated, e, kept, place, enough)) {
+                ++refused;
+                REQUIRE(labelled_tets(complex) == tets_before);
+                REQUIRE(mesh.position(kept) == kept_before);
+                REQUIRE(mesh.position(gone) == gone_before);
+                continue;
+            }
+            ++done;
+            require_valid(mesh);
+            REQUIRE(complex.is_deleted(gone));
+            REQUIRE(mesh.position(kept) == place);
+            for (const TetId t : tets(complex)) {
+                REQUIRE(rated.quality(t) == rated.rate(complex.vertices(t)));
+                if (complex.has_vertex(t, kept)) REQUIRE(rated.quality(t) >= std::min(worst, enough));
+            }
+            double sum_before = 0, sum_after = 0;
+            for (const auto& [label, value] : volume) sum_before += value;
+            for (const auto& [label, value] : volumes(mesh)) sum_after += value;
+            REQUIRE(sum_after == Approx(sum_before).epsilon(1e-12));
+            const auto after = label_statistics(mesh);
+            REQUIRE(after.size() == before.size());
+            for (std::size_t i = 0; i < before.size(); ++i) {
+                REQUIRE(after[i].components == before[i].components);
+                REQUIRE(after[i].surfaces == before[i].surfaces);
+                REQUIRE(after[i].genus == before[i].genus);
+            }
+        }
+    }
+    CHECK(done > 40);
+    CHECK(refused > 40);
 }

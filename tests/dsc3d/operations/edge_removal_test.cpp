@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dsc3d/operations/edge_removal.h"
 
+#include "dsc3d/label_statistics.h"
 #include "dsc3d/operations/multi_face.h"
 #include "tests/dsc3d/samples.h"
 #include "tests/dsc3d/support.h"
@@ -202,4 +203,87 @@ TEST_CASE("rings that are too long are left alone") {
     Mesh longest(fan(EdgeRemoval::max_ring));
     RatedMesh rated_longest(longest, QualityMeasure::minimum_sine, {});
     CHECK(removal.propose(rated_longest, edge_between(longest.complex(), VertexId(0), VertexId(1)), proposal, 0.0));
+}
+
+TEST_CASE("a flip of a bent interface moves it over the tetrahedron of its two triangles, and keeps the topology") {
+    Random random(seed(8));
+    TetData data = box({5, 5, 5});
+    for (const auto& tet : data.tets) {
+        Point3 p = Point3::Zero();
+        for (const std::uint32_t v : tet) p += data.vertices[v] / 4;
+        data.labels.push_back((p - Point3(2.5, 2.5, 2.5)).norm() < 1.7 ? 1 : 0);
+    }
+    shake_inside(data, 0.15, random);
+    Mesh mesh(data);
+    const Complex& complex = mesh.complex();
+    RatedMesh rated(mesh, QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh));
+    EdgeRemoval removal;
+    Proposal proposal;
+    // Of the two triangles at an interface edge, the vertices opposite to it.
+    const auto opposite = [&](EdgeId e) {
+        std::vector<VertexId> found;
+        for (const FaceId f : faces(complex)) {
+            const auto& sides = complex.edges(f);
+            if (!complex.is_interface(f) || std::find(sides.begin(), sides.end(), e) == sides.end()) continue;
+            for (const VertexId v : complex.vertices(f))
+                if (v != complex.vertices(e)[0] && v != complex.vertices(e)[1]) found.push_back(v);
+        }
+        return found;
+    };
+    const auto genus_of_ball = [&] { return label_statistics(mesh)[1]; };
+    const LabelStatistics before = genus_of_ball();
+    int done = 0, bent = 0;
+    for (int attempt = 0; attempt < 300; ++attempt) {
+        std::vector<EdgeId> candidates;
+        for (const EdgeId e : edges(complex))
+            if (complex.is_interface(e)) candidates.push_back(e);
+        const EdgeId e = candidates[random.below(candidates.size())];
+        const auto [a, b] = complex.vertices(e);
+        const std::vector<VertexId> ends = opposite(e);
+        const double wanted = 0.05;
+        if (!removal.propose_flip(rated, e, proposal, wanted)) continue;
+        REQUIRE(ends.size() == 2);
+        REQUIRE_FALSE(edge_between(complex, ends[0], ends[1]).is_valid());
+        const double volume_before = volumes(mesh).at(1), sum = volume_before + volumes(mesh).at(0);
+        const double between = std::abs(volume(mesh, {a, b, ends[0], ends[1]}));
+        if (!rated.apply(proposal)) continue;
+        ++done;
+        bent += between > 1e-3 ? 1 : 0;
+        require_valid(mesh);
+        for (const TetId t : tets(complex))
+            if (complex.has_vertex(t, ends[0]) && complex.has_vertex(t, ends[1])) REQUIRE(rated.quality(t) > wanted);
+        const EdgeId gone = edge_between(complex, a, b);
+        REQUIRE_FALSE(gone.is_valid());
+        const EdgeId made = edge_between(complex, ends[0], ends[1]);
+        REQUIRE((made.is_valid() && complex.is_interface(made) && complex.surface_degree(made) == 2));
+        REQUIRE(std::abs(volumes(mesh).at(1) - volume_before) == Approx(between).margin(1e-12));
+        REQUIRE(volumes(mesh).at(0) + volumes(mesh).at(1) == Approx(sum).epsilon(1e-12));
+        const LabelStatistics after = genus_of_ball();
+        REQUIRE(after.components == before.components);
+        REQUIRE(after.surfaces == before.surfaces);
+        REQUIRE(after.genus == before.genus);
+    }
+    CHECK(done > 10);
+    CHECK(bent > 2);
+}
+
+TEST_CASE("edges on the boundary, off the interface and at seams are not flipped") {
+    TetData data = box({4, 3, 3});
+    label_slabs(data, {4, 3, 3}, 2);
+    for (std::size_t i = 0; i < data.tets.size(); ++i) {
+        double z = 0;
+        for (const std::uint32_t v : data.tets[i]) z += data.vertices[v].z() / 4;
+        if (data.labels[i] == 1 && z > 1) data.labels[i] = 2;
+    }
+    Mesh mesh(data);
+    RatedMesh rated(mesh, QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh));
+    EdgeRemoval removal;
+    Proposal proposal;
+    int possible = 0;
+    for (const EdgeId e : edges(mesh.complex())) {
+        const bool is_flipped = removal.propose_flip(rated, e, proposal, 0.0);
+        if (mesh.complex().is_boundary(e) || mesh.complex().surface_degree(e) != 2) CHECK_FALSE(is_flipped);
+        possible += is_flipped ? 1 : 0;
+    }
+    CHECK(possible > 0);
 }

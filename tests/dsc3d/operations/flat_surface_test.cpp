@@ -196,3 +196,37 @@ TEST_CASE("a vertex that slides a thousand times is still on its plane, or on it
         CHECK((kind == VertexMotion::fixed) == (moved.norm() == 0));
     }
 }
+
+TEST_CASE("on a flat boundary, interfaces are fixed and have no patches, and labels don't part the patches") {
+    TetData data = box({4, 3, 3});
+    label_slabs(data, {4, 3, 3}, 2);
+    turn(data);
+    Mesh mesh(data);
+    Complex& complex = mesh.complex();
+    const FlatSurface surface = FlatSurface::flat_boundary(mesh);
+    std::set<std::int32_t> patches;
+    for (const FaceId f : faces(complex)) {
+        CHECK(surface.has_patch(complex, f) == complex.is_boundary(f));
+        if (complex.is_boundary(f)) patches.insert(surface.patch(f));
+    }
+    CHECK(patches.size() == 6);
+    const auto require_motions = [&] {
+        for (const VertexId v : vertices(complex)) {
+            const Point3 at = oblique_motion().inverse() * mesh.position(v);
+            int free_axes = 0;
+            for (int axis = 0; axis < 3; ++axis)
+                free_axes += std::abs(at[axis]) > 1e-9 && std::abs(at[axis] - (axis == 0 ? 4 : 3)) > 1e-9 ? 1 : 0;
+            const VertexMotion of_box = free_axes == 3   ? VertexMotion::free
+                                        : free_axes == 2 ? VertexMotion::plane
+                                        : free_axes == 1 ? VertexMotion::line
+                                                         : VertexMotion::fixed;
+            REQUIRE(surface.motion(v) == (complex.is_interface(v) ? VertexMotion::fixed : of_box));
+        }
+    };
+    require_motions();
+    // Labels change; what was on the interface moves as its place on the boundary lets it.
+    for (const TetId t : tets(complex)) complex.set_label(t, t.index() % 5 == 0 ? 1 : 0);
+    require_motions();
+    for (const TetId t : tets(complex)) complex.set_label(t, 0);
+    require_motions();
+}

@@ -229,3 +229,91 @@ TEST_CASE("another measure rates all tetrahedra anew") {
         }
     }
 }
+
+TEST_CASE("a split on the boundary divides its faces, and the new vertex moves as those let it") {
+    for (const bool is_oblique : {false, true}) {
+        TetData data = box({2, 2, 2});
+        if (is_oblique) turn(data);
+        const auto to_box = [&](const Point3& p) { return is_oblique ? Point3(oblique_motion().inverse() * p) : p; };
+        const std::size_t count = edges(Mesh(data).complex()).size();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            Mesh mesh(data);
+            const Complex& complex = mesh.complex();
+            RatedMesh rated(mesh, QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh));
+            const EdgeId e(i);
+            const bool is_boundary = complex.is_boundary(e);
+            const auto [a, b] = complex.vertices(e);
+            const Point3 middle = 0.3 * mesh.position(a) + 0.7 * mesh.position(b);
+            const auto areas = surface_areas(mesh);
+            std::map<std::int32_t, double> patch_areas;
+            const auto areas_by_patch = [&] {
+                std::map<std::int32_t, double> found;
+                for (const FaceId f : faces(complex)) {
+                    if (!complex.is_boundary(f)) continue;
+                    const FaceVertices v = complex.vertices(f);
+                    const Point3& p = mesh.position(v[0]);
+                    found[rated.surface().patch(f)] +=
+                        (mesh.position(v[1]) - p).cross(mesh.position(v[2]) - p).norm() / 2;
+                }
+                return found;
+            };
+            patch_areas = areas_by_patch();
+            const auto volume = volumes(mesh);
+            const VertexId m = rated.split(e, middle);
+            REQUIRE(m.is_valid());
+            require_valid(mesh);
+            require_same(volume, volumes(mesh), 1e-13);
+            require_same(areas, surface_areas(mesh), 1e-13);
+            require_same(patch_areas, areas_by_patch(), 1e-13);
+            for (const TetId t : tets(complex)) REQUIRE(rated.quality(t) == rated.rate(complex.vertices(t)));
+
+            int free_axes = 0;
+            Eigen::Vector3d wish(0.1, 0.02, -0.05);
+            Eigen::Vector3d expected = wish;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double x = to_box(middle)[axis];
+                const bool is_at_side = std::abs(x) < 1e-9 || std::abs(x - 2) < 1e-9;
+                free_axes += is_at_side ? 0 : 1;
+                if (is_at_side) expected[axis] = 0;
+            }
+            CHECK((free_axes < 3) == is_boundary);
+            CHECK(rated.surface().motion(m) == (free_axes == 3   ? VertexMotion::free
+                                                : free_axes == 2 ? VertexMotion::plane
+                                                                 : VertexMotion::line));
+            const Eigen::Matrix3d linear =
+                is_oblique ? Eigen::Matrix3d(oblique_motion().linear()) : Eigen::Matrix3d::Identity();
+            CHECK((rated.surface().allowed(m, linear * wish) - linear * expected).norm() < 1e-14);
+            CHECK((rated.surface().settled(m, middle) - middle).norm() < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("splits and collapses of a flat boundary, one after another, leave it where it is") {
+    Random random(seed(6));
+    TetData data = box({2, 2, 2});
+    turn(data);
+    Mesh mesh(data);
+    RatedMesh rated(mesh, QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh));
+    const auto areas = surface_areas(mesh);
+    const auto volume = volumes(mesh);
+    EdgeCollapse collapse;
+    Proposal proposal;
+    int splits = 0, collapses = 0;
+    for (int change = 0; change < 400; ++change) {
+        const std::vector<EdgeId> all = edges(mesh.complex());
+        const EdgeId e = all[random.below(all.size())];
+        const auto [a, b] = mesh.complex().vertices(e);
+        if (change % 3 == 0) {
+            splits += rated.split(e, 0.5 * (mesh.position(a) + mesh.position(b))).is_valid() ? 1 : 0;
+        } else {
+            collapses +=
+                collapse.propose(rated, e, random.below(2) == 0 ? a : b, 0.02, proposal) && rated.apply(proposal);
+        }
+        if (change % 10 == 0) require_valid(mesh);
+    }
+    require_valid(mesh);
+    CHECK(splits > 50);
+    CHECK(collapses > 20);
+    require_same(areas, surface_areas(mesh), 1e-12);
+    require_same(volume, volumes(mesh), 1e-12);
+}
