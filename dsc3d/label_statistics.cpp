@@ -9,6 +9,7 @@
 #include "core/assert.h"
 #include "core/disjoint_sets.h"
 #include "dsc3d/complex/traversal.h"
+#include "dsc3d/components.h"
 
 namespace dsc::dsc3d {
 
@@ -27,13 +28,12 @@ public:
     explicit LabelCounter(const Mesh& mesh)
         : mesh_(mesh),
           complex_(mesh.complex()),
-          tets_(complex_.tet_capacity()),
+          tets_(dsc3d::components(complex_)),
           sides_(2 * std::size_t{complex_.face_capacity()}),
           corners_(6 * std::size_t{complex_.face_capacity()}) {}
 
     std::vector<LabelStatistics> run() {
         measure();
-        join_at_faces();
         join_around_edges();
         count();
         std::vector<LabelStatistics> result;
@@ -72,12 +72,6 @@ private:
                 LabelStatistics& statistics = labels_[complex_.label(t)];
                 (complex_.is_boundary(f) ? statistics.boundary_area : statistics.interface_area) += area;
             }
-        });
-    }
-
-    void join_at_faces() {
-        for_each<FaceId>(complex_.face_capacity(), [&](FaceId f) {
-            if (!complex_.is_surface(f)) tets_.unite(complex_.tets(f)[0].index(), complex_.tets(f)[1].index());
         });
     }
 

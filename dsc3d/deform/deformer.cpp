@@ -3,55 +3,152 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
+#include "core/assert.h"
 #include "core/errors.h"
-#include "dsc3d/operations/split.h"
 
 namespace dsc::dsc3d {
 
 namespace {
 
+Listener& silent_listener() {
+    static Listener listener;  // has no state
+    return listener;
+}
+
 double signed_volume(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
     return (b - a).dot((c - a).cross(d - a)) / 6;
 }
 
-template <class Value>
-void sort_unique(std::vector<Value>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 }  // namespace
 
-Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters)
+Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& listener)
     : mesh_(mesh),
       parameters_(parameters),
-      rated_(mesh, geometry::QualityMeasure::volume_length, FlatSurface::rigid(mesh)),
-      passes_(rated_, {}),
-      target_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())) {
+      listener_(listener),
+      rated_(mesh, geometry::QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh)),
+      wanted_length_(mesh, parameters.edge_length, parameters.growth),
+      advance_(mesh),
+      upkeep_(rated_, parameters.seed),
+      contacts_(mesh),
+      interface_control_(mesh),
+      start_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      goal_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      target_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      way_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      is_moving_(mesh.complex().vertex_attributes(), 0) {
     parameters_.validate();
+    StepReport report;
+    interface_control_.accept(context(report));
 }
 
-// Algorithm 4, one time step.
-StepReport Deformer::step(std::span<const std::optional<Point3>> targets) {
+Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters) : Deformer(mesh, parameters, silent_listener()) {}
+
+PassContext Deformer::context(StepReport& report) {
+    return {rated_, parameters_, wanted_length_, way_, region_, listener_, report};
+}
+
+void Deformer::set_edge_lengths(std::span<const std::optional<double>> lengths) {
+    if (lengths.size() > mesh_.complex().vertex_capacity()) throw core::UsageError("edge lengths: more than vertices");
+    for (std::uint32_t i = 0; i < lengths.size(); ++i) {
+        const VertexId v(i);
+        if (!lengths[i] || mesh_.complex().is_deleted(v) || !mesh_.complex().is_interface(v)) continue;
+        if (!(*lengths[i] > 0) || !std::isfinite(*lengths[i]))
+            throw core::UsageError("edge lengths: that of vertex " + std::to_string(i) + " is not positive");
+        wanted_length_.set(v, *lengths[i]);
+    }
+}
+
+std::vector<double> Deformer::edge_lengths() const {
+    std::vector<double> lengths;
+    lengths.reserve(mesh_.complex().vertex_count());
+    for (std::uint32_t i = 0; i < mesh_.complex().vertex_capacity(); ++i)
+        if (!mesh_.complex().is_deleted(VertexId(i))) lengths.push_back(wanted_length_.at(VertexId(i)));
+    return lengths;
+}
+
+void Deformer::restore_edge_lengths(std::span<const double> lengths) {
+    DSC_ASSERT(lengths.size() == mesh_.complex().vertex_capacity());
+    for (std::uint32_t i = 0; i < lengths.size(); ++i) wanted_length_.set(VertexId(i), lengths[i]);
+}
+
+StepReport Deformer::step(std::span<const std::optional<Point3>> targets) { return step(targets, nullptr); }
+
+// Algorithm 4, one time step, in substeps whose number follows from the length of the way.
+StepReport Deformer::step(std::span<const std::optional<Point3>> targets, const Path& path) {
     StepReport report;
     set_targets(targets);
-    bool is_complete = moving_.empty();
-    while (!is_complete && report.substeps < parameters_.max_substeps) {
-        is_complete = move_vertices_step(report);
-        improve(report);
+    contacts_.begin_step();
+    PassContext context = this->context(report);
+    const int wanted = moving_.empty() ? 0 : wanted_substeps(path);
+    for (int substep = 0; substep < wanted && !moving_.empty(); ++substep) {
+        aim((substep + 1.0) / wanted, path);
+        move_vertices_step(report);
+        maintain(context);
+        treat_contacts(context, substep, parameters_.contact_distance);
         ++report.substeps;
     }
-    report_unfinished(report);
+    retry_late_ones(context, wanted);
+    report_unfinished(context);
+    if (report.substeps > 0) finish(context);
     return report;
+}
+
+// Further substeps of those vertices only that have not come to their targets, until that moves them no more.
+void Deformer::retry_late_ones(PassContext& context, int substep) {
+    const std::vector<TetId> others(region_.tets().begin(), region_.tets().end());
+    for (int stalls = 0; stalls < 2 && context.report.substeps < substep + parameters_.max_substeps;) {
+        release_arrived();
+        if (moving_.empty()) break;
+        region_.clear();
+        aim(1, nullptr);
+        const double before = way_left();
+        move_vertices_step(context.report);
+        maintain(context);
+        treat_contacts(context, context.report.substeps, parameters_.contact_distance);
+        ++context.report.substeps;
+        if (way_left() <= parameters_.stalling_share * before) continue;
+        ++stalls;
+        // What holds them up may be a part of the interface that is not that near yet.
+        treat_contacts(context, context.report.substeps, parameters_.gap_width);
+        if (parameters_.improves_quality) upkeep_.rescue(context);
+    }
+    region_.add(others);
+    region_.settle(mesh_.complex());
+}
+
+void Deformer::release_arrived() {
+    std::erase_if(moving_, [&](VertexId v) {
+        if (mesh_.position(v) != goal_[v]) return false;
+        is_moving_[v] = 0;
+        way_[v].setZero();
+        return true;
+    });
+}
+
+// Once in a step: the interface as a surface, and what hill climbing has left bad.
+void Deformer::finish(PassContext& context) {
+    std::vector<TetId> bad;
+    for (const TetId t : region_.tets())
+        if (rated_.quality(t) < parameters_.bad_quality) bad.push_back(t);
+    if (parameters_.controls_interface) {
+        interface_control_.run(context);
+        maintain(context);
+        region_.add(bad);
+        region_.settle(mesh_.complex());
+    }
+    if (parameters_.improves_quality) upkeep_.rescue(context);
 }
 
 void Deformer::set_targets(std::span<const std::optional<Point3>> targets) {
     const Complex& complex = mesh_.complex();
     if (targets.size() > complex.vertex_capacity()) throw core::UsageError("step: more targets than vertices");
+    region_.clear();
     moving_.clear();
+    stopped_.clear();
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
         if (!targets[i]) continue;
         const VertexId v(i);
@@ -59,22 +156,71 @@ void Deformer::set_targets(std::span<const std::optional<Point3>> targets) {
             throw core::UsageError("step: vertex " + std::to_string(i) + " can't have a target: " + why);
         };
         if (complex.is_deleted(v)) refuse("it is deleted");
-        if (complex.is_boundary(v)) refuse("it lies on the domain's boundary");
         if (!complex.is_interface(v)) refuse("it lies off the interface");
         if (!targets[i]->allFinite()) refuse("it is not finite");
-        target_[v] = *targets[i];
+        start_[v] = mesh_.position(v);
+        goal_[v] = at_wall(v, *targets[i]);
         moving_.push_back(v);
+    }
+    for (const VertexId v : moving_) is_moving_[v] = 1;
+}
+
+Point3 Deformer::at_wall(VertexId v, const Point3& target) const {
+    if (!mesh_.complex().is_boundary(v)) return target;
+    return rated_.surface().along_boundary(v, mesh_.position(v), target);
+}
+
+int Deformer::wanted_substeps(const Path& path) const {
+    double longest = 1;
+    for (const VertexId v : moving_)
+        longest = std::max(longest, length_of_way(v, path) / (parameters_.stride * wanted_length_.at(v)));
+    return static_cast<int>(std::ceil(std::min(longest, 1e6) * (1 - 1e-9)));
+}
+
+double Deformer::length_of_way(VertexId v, const Path& path) const {
+    if (!path) return (goal_[v] - start_[v]).norm();
+    // Chords of a path that is smooth: one that comes back to its start has a length too.
+    constexpr int chords = 4;
+    double length = 0;
+    Point3 last = start_[v];
+    for (int i = 1; i <= chords; ++i) {
+        const Point3 next = i == chords ? goal_[v] : at_wall(v, path(start_[v], static_cast<double>(i) / chords));
+        length += (next - last).norm();
+        last = next;
+    }
+    return length;
+}
+
+// Of all vertices together, to the targets of the substep.
+double Deformer::way_left() const {
+    double sum = 0;
+    for (const VertexId v : moving_) sum += (target_[v] - mesh_.position(v)).norm();
+    return sum;
+}
+
+// The target of every moving vertex after this share of the step.
+void Deformer::aim(double share, const Path& path) {
+    for (const VertexId v : moving_) {
+        if (share == 1) {
+            target_[v] = goal_[v];
+        } else {
+            target_[v] = path ? at_wall(v, path(start_[v], share)) : Point3(start_[v] + share * (goal_[v] - start_[v]));
+        }
+        way_[v] = target_[v] - mesh_.position(v);
     }
 }
 
-// Algorithm 5. True when every vertex is at its target.
-bool Deformer::move_vertices_step(StepReport& report) {
-    active_.clear();
-    std::size_t left = 0;
-    for (const VertexId v : std::vector<VertexId>(moving_))
-        if (!move_one(v, report)) moving_[left++] = v;
-    moving_.resize(left);
-    return left == 0;
+// Algorithm 5, after those vertices have gone that can go together.
+void Deformer::move_vertices_step(StepReport& report) {
+    advance_.run(rated_, moving_, target_,
+                 {.least_quality = parameters_.stopping_quality, .carried_rings = parameters_.carried_rings});
+    region_.add(advance_.region());
+    for (const VertexId v : moving_) {
+        const bool has_arrived = mesh_.position(v) == target_[v] || move_one(v);
+        report.counts.moves += has_arrived ? 1 : 0;
+        report.counts.blocked_moves += has_arrived ? 0 : 1;
+    }
+    region_.settle(mesh_.complex());
 }
 
 // The share of the way to its target at which v meets the plane of a face of its link, or more than 1.
@@ -90,7 +236,7 @@ double Deformer::share_to_link(std::span<const TetId> star, VertexId v, const Po
 }
 
 // True when v is at its target.
-bool Deformer::move_one(VertexId v, StepReport& report) {
+bool Deformer::move_one(VertexId v) {
     const std::span<const TetId> star = rated_.walker().star(v);
     const Point3 start = mesh_.position(v), target = target_[v];
     const double least = std::min(rated_.worst_quality(star), parameters_.stopping_quality);
@@ -99,142 +245,78 @@ bool Deformer::move_one(VertexId v, StepReport& report) {
         return rated_.move(v, place, star, least);
     };
     const double to_link = share_to_link(star, v, target);
-    bool is_moved = to_link > 1 && try_share(1);
-    if (is_moved) {
-        ++report.counts.moves;
-        active_.push_back(v);
-        return true;
-    }
-    ++report.counts.blocked_moves;
-    for (double share = parameters_.approach * std::min(to_link, 1.0); !is_moved && share > 0.01; share *= 0.5)
+    if (to_link > 1 && try_share(1)) return true;
+    bool is_moved = false;
+    for (double share = parameters_.approach * std::min(to_link, 1.0); !is_moved && share > 0.05; share *= 0.5)
         is_moved = try_share(share);
-    active_.push_back(v);
     return false;
 }
 
 // Algorithm 4, step 10.
-void Deformer::improve(StepReport& report) {
-    gather_region();
-    split_bridges(report);
-    raise_quality(report);
-    remove_degeneracies(report);
-    collapse_short_edges(report);
+void Deformer::maintain(PassContext& context) {
+    DetailControl::update_lengths(context);
+    if (parameters_.controls_detail) detail_.split_long_edges(context);
+    if (parameters_.improves_quality) upkeep_.run(context);
+    if (parameters_.controls_detail) detail_.collapse_short_edges(context);
 }
 
-void Deformer::gather_region() {
-    const Complex& complex = mesh_.complex();
-    tets_.clear();
-    for (const VertexId v : active_) {
-        if (complex.is_deleted(v)) continue;
-        const std::span<const TetId> star = rated_.walker().star(v);
-        tets_.insert(tets_.end(), star.begin(), star.end());
-    }
-    sort_unique(tets_);
-    vertices_.clear();
-    for (const TetId t : tets_)
-        for (const VertexId v : complex.vertices(t)) vertices_.push_back(v);
-    sort_unique(vertices_);
-}
-
-// The edges of the region that are off the surface.
-std::vector<EdgeId> Deformer::inner_edges() const {
-    std::vector<EdgeId> edges;
-    for (const TetId t : tets_)
-        for (const EdgeId e : mesh_.complex().edges(t))
-            if (!mesh_.complex().is_surface(e)) edges.push_back(e);
-    sort_unique(edges);
-    return edges;
-}
-
-void Deformer::raise_quality(StepReport& report) {
-    const Complex& complex = mesh_.complex();
-    const PassCounts before = passes_.counts();
-    for (const VertexId v : vertices_) {
-        if (complex.is_deleted(v) || complex.is_surface(v)) continue;
-        if (rated_.worst_quality(rated_.walker().star(v)) < parameters_.poor_quality) passes_.smooth(v);
-    }
-    // What smoothing has not helped goes; what comes may want smoothing.
-    for (const TetId t : tets_)
-        if (!complex.is_deleted(t) && rated_.quality(t) < parameters_.poor_quality) passes_.remove_tet(t);
-    for (const VertexId v : vertices_) {
-        if (complex.is_deleted(v) || complex.is_surface(v)) continue;
-        if (rated_.worst_quality(rated_.walker().star(v)) < parameters_.poor_quality) passes_.smooth(v);
-    }
-    const PassCounts& after = passes_.counts();
-    report.counts.smoothings += after.smoothings - before.smoothings;
-    report.counts.flips += after.edge_removals + after.multi_face_removals + after.multi_face_retriangulations -
-                           before.edge_removals - before.multi_face_removals - before.multi_face_retriangulations;
-}
-
-void Deformer::remove_degeneracies(StepReport& report) {
-    gather_region();
-    for (const TetId t : tets_) {
-        if (mesh_.complex().is_deleted(t) || rated_.quality(t) >= parameters_.degenerate_quality) continue;
-        report.counts.collapses += remove_degenerate(t) ? 1 : 0;
-    }
-}
-
-// By the collapse of an edge off the interface, the shortest first.
-bool Deformer::remove_degenerate(TetId t) {
-    const Complex& complex = mesh_.complex();
-    std::array<std::pair<double, EdgeId>, 6> edges;
-    for (std::size_t i = 0; i < 6; ++i) {
-        const EdgeId e = complex.edges(t)[i];
-        const auto [a, b] = complex.vertices(e);
-        edges[i] = {(mesh_.position(a) - mesh_.position(b)).squaredNorm(), e};
-    }
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [length, e] : edges)
-        for (const VertexId kept : complex.vertices(e))
-            if (collapse_.propose(rated_, e, kept, 1, proposal_) && rated_.apply(proposal_)) return true;
-    return false;
-}
-
-void Deformer::collapse_short_edges(StepReport& report) {
-    const Complex& complex = mesh_.complex();
-    const double shortest = parameters_.min_edge * parameters_.edge_length;
-    gather_region();
-    for (const EdgeId e : inner_edges()) {
-        if (complex.is_deleted(e)) continue;
-        const auto [a, b] = complex.vertices(e);
-        if ((mesh_.position(a) - mesh_.position(b)).norm() >= shortest) continue;
-        for (const VertexId kept : {a, b}) {
-            if (!collapse_.propose(rated_, e, kept, parameters_.collapse_quality, proposal_)) continue;
-            if (!rated_.apply(proposal_)) continue;
-            ++report.counts.collapses;
-            break;
+// What has changed its label has changed what moves: those vertices end their motion for this step.
+void Deformer::treat_contacts(PassContext& context, int substep, double distance) {
+    std::vector<TetId> others;
+    while (contacts_.run(context, substep, distance)) {
+        others.insert(others.end(), region_.tets().begin(), region_.tets().end());
+        region_.clear();
+        for (const VertexId v : contacts_.touched()) {
+            region_.add_star(rated_, v);
+            if (is_moving_[v] == 0) continue;
+            is_moving_[v] = 0;
+            way_[v].setZero();
+            stopped_.push_back(v);
         }
+        region_.settle(mesh_.complex());
+        maintain(context);
     }
+    region_.add(others);
+    region_.settle(mesh_.complex());
+    std::erase_if(moving_, [&](VertexId v) { return is_moving_[v] == 0; });
 }
 
-// Edges that join the interface directly to itself or to the boundary leave it no room to move.
-void Deformer::split_bridges(StepReport& report) {
-    const Complex& complex = mesh_.complex();
-    const double longest = parameters_.max_bridge * parameters_.edge_length;
-    for (const EdgeId e : inner_edges()) {
-        if (complex.is_deleted(e)) continue;
-        const auto [a, b] = complex.vertices(e);
-        if (!complex.is_surface(a) || !complex.is_surface(b)) continue;
-        if ((mesh_.position(a) - mesh_.position(b)).norm() <= longest) continue;
-        if (rated_.split(e, 0.5 * (mesh_.position(a) + mesh_.position(b)))) ++report.counts.edge_splits;
-    }
-    gather_region();
-}
-
-void Deformer::report_unfinished(StepReport& report) {
+void Deformer::report_unfinished(PassContext& context) {
+    StepReport& report = context.report;
+    for (const VertexId v : stopped_)
+        if (mesh_.complex().is_interface(v)) report.unfinished.push_back({v, goal_[v] - mesh_.position(v), true});
     for (const VertexId v : moving_) {
-        report.unfinished.push_back({v, target_[v] - mesh_.position(v), false});
-        report.is_complete = false;
+        if (mesh_.position(v) == goal_[v]) continue;
+        const bool is_locked = is_held(context, v);
+        report.unfinished.push_back({v, goal_[v] - mesh_.position(v), is_locked});
+        report.is_complete = report.is_complete && is_locked;
+    }
+    Contacts::report_held(context);
+    for (const VertexId v : moving_) {
+        is_moving_[v] = 0;
+        way_[v].setZero();
     }
     moving_.clear();
 }
 
+// By another part of the interface in front of it.
+bool Deformer::is_held(PassContext& context, VertexId v) {
+    const std::span<const TetId> found = rated_.walker().star(v);
+    const std::vector<TetId> star(found.begin(), found.end());  // looking at its tetrahedra walks other stars
+    return std::any_of(star.begin(), star.end(),
+                       [&](TetId t) { return facing_sheets(context, t, parameters_.gap_width).has_value(); });
+}
+
 StepReport Deformer::improve_everywhere() {
     StepReport report;
-    active_.clear();
-    for (std::uint32_t i = 0; i < mesh_.complex().vertex_capacity(); ++i)
-        if (!mesh_.complex().is_deleted(VertexId(i))) active_.push_back(VertexId(i));
-    improve(report);
+    std::vector<TetId> all;
+    for (std::uint32_t i = 0; i < mesh_.complex().tet_capacity(); ++i)
+        if (!mesh_.complex().is_deleted(TetId(i))) all.push_back(TetId(i));
+    region_.assign(all);
+    interface_control_.reconsider();
+    PassContext context = this->context(report);
+    maintain(context);
+    finish(context);
     return report;
 }
 

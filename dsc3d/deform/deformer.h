@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3D deformation step: moves vertices of the interface to their targets through valid complexes only.
-// Source: thesis 4.3, algorithms 4 and 5; 4.3.2.1. Guarantee: after every single operation all tetrahedra are positive
-// by exact predicate; the outer boundary stays; labels, and with them the topology of every region, stay: parts of the
-// interface that meet are stopped, and the motion that was not made is reported. Interface vertices are moved by their
-// motion alone, and the interface keeps its triangles. Same input, same bits. Cost: linear in the stars of what moves.
+// Source: thesis 4.3, algorithms 4 and 5; 4.3.2. Guarantee: after every single operation all tetrahedra are positive by
+// exact predicate; the outer boundary stays; motion that was not made is reported. Where parts of the interface meet,
+// they merge, split or are stopped, as the topology policy says. Same input, same bits. Cost: linear in the stars of
+// what moves, not in the mesh.
 //
 //     dsc3d::Deformer deformer(mesh, {.edge_length = 0.05});
 //     std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
@@ -11,61 +11,87 @@
 //     dsc3d::StepReport report = deformer.step(targets);
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/attribute.h"
-#include "dsc3d/deform/parameters.h"
-#include "dsc3d/improve/passes.h"
-#include "motion/step_report.h"
+#include "dsc3d/deform/advance.h"
+#include "dsc3d/deform/contacts.h"
+#include "dsc3d/deform/detail.h"
+#include "dsc3d/deform/interface_control.h"
+#include "dsc3d/deform/upkeep.h"
 
 namespace dsc::dsc3d {
 
-using StepReport = motion::StepReport<3>;
-
 class Deformer {
 public:
-    /// Throws core::UsageError for invalid parameters. The mesh must outlive the deformer.
+    /// Where a vertex that started at `start` is at a share of the step, from 0 to 1.
+    using Path = std::function<Point3(const Point3& start, double share)>;
+
+    /// Throws core::UsageError for invalid parameters. The mesh and the listener must outlive the deformer.
+    Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& listener);
     Deformer(Mesh& mesh, const DeformParameters& parameters);
 
     const DeformParameters& parameters() const { return parameters_; }
 
-    /// Moves every vertex that has a target (indexed by vertex, missing entries mean none) towards it. Throws
-    /// core::UsageError when a vertex on the boundary, a deleted one or one off the interface has a target, or a target
-    /// is not finite.
-    StepReport step(std::span<const std::optional<Point3>> targets);
+    /// The wanted edge length at vertices of the interface, instead of the same one everywhere; missing ones stay as
+    /// they are. Throws core::UsageError for a length that is not positive.
+    void set_edge_lengths(std::span<const std::optional<double>> lengths);
+    /// The wanted edge lengths of all vertices, on the interface and off it, in the order of Mesh::data().
+    std::vector<double> edge_lengths() const;
+    /// The same lengths in a mesh made again from its data.
+    void restore_edge_lengths(std::span<const double> lengths);
 
-    /// Mesh improvement of the whole complex; moves no vertex of the interface.
+    /// Moves every vertex that has a target (indexed by vertex, missing entries mean none) straight to it; one on the
+    /// boundary goes along it, to the place nearest to its target. Throws core::UsageError when a deleted vertex or one
+    /// off the interface has a target, or a target is not finite.
+    StepReport step(std::span<const std::optional<Point3>> targets);
+    /// ... along a path, which ends at the targets: substeps follow it, so that a turning body is never squeezed.
+    StepReport step(std::span<const std::optional<Point3>> targets, const Path& path);
+
+    /// Improvement of the whole complex and interface where they need it.
     StepReport improve_everywhere();
 
 private:
     void set_targets(std::span<const std::optional<Point3>> targets);
-    bool move_vertices_step(StepReport& report);
-    bool move_one(VertexId v, StepReport& report);
+    Point3 at_wall(VertexId v, const Point3& target) const;
+    int wanted_substeps(const Path& path) const;
+    void aim(double share, const Path& path);
+    double way_left() const;
+    double length_of_way(VertexId v, const Path& path) const;
+    void retry_late_ones(PassContext& context, int substep);
+    void release_arrived();
+    void move_vertices_step(StepReport& report);
+    bool move_one(VertexId v);
     double share_to_link(std::span<const TetId> star, VertexId v, const Point3& target) const;
 
-    void improve(StepReport& report);
-    void gather_region();
-    std::vector<EdgeId> inner_edges() const;
-    void raise_quality(StepReport& report);
-    void remove_degeneracies(StepReport& report);
-    bool remove_degenerate(TetId t);
-    void collapse_short_edges(StepReport& report);
-    void split_bridges(StepReport& report);
-    void report_unfinished(StepReport& report);
+    PassContext context(StepReport& report);
+    void maintain(PassContext& context);
+    void finish(PassContext& context);
+    void treat_contacts(PassContext& context, int substep, double distance);
+    void report_unfinished(PassContext& context);
+    bool is_held(PassContext& context, VertexId v);
 
     Mesh& mesh_;
     DeformParameters parameters_;
+    Listener& listener_;
     RatedMesh rated_;
-    Passes passes_;
-    EdgeCollapse collapse_;
-    Proposal proposal_;
-    core::Attribute<VertexId, Point3> target_;
-    std::vector<VertexId> moving_;    ///< have a target they have not reached
-    std::vector<VertexId> active_;    ///< have moved in this substep
-    std::vector<TetId> tets_;         ///< the region of a substep: tetrahedra at active vertices,
-    std::vector<VertexId> vertices_;  ///< and their vertices
+    LocalLength wanted_length_;
+    Region region_;
+    Advance advance_;
+    DetailControl detail_;
+    Upkeep upkeep_;
+    Contacts contacts_;
+    InterfaceControl interface_control_;
+    core::Attribute<VertexId, Point3> start_;
+    core::Attribute<VertexId, Point3> goal_;
+    core::Attribute<VertexId, Point3> target_;  ///< of the substep
+    core::Attribute<VertexId, Point3> way_;     ///< to it, from where the vertex was at the start of the substep
+    core::Attribute<VertexId, std::uint8_t> is_moving_;
+    std::vector<VertexId> moving_;   ///< have a goal they have not reached
+    std::vector<VertexId> stopped_;  ///< by a contact
 };
 
 }  // namespace dsc::dsc3d

@@ -13,14 +13,36 @@ void DeformParameters::validate() const {
         if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
     };
     require(edge_length > 0 && std::isfinite(edge_length), "edge_length", "positive");
+    require(growth >= 0, "growth", "at least 0");
+    require(contact_distance > 0, "contact_distance", "positive");
+    require(contact_cosine > -1 && contact_cosine < 0, "contact_cosine", "in (-1, 0)");
+    require(gap_width >= contact_distance, "gap_width", "at least contact_distance");
+    require(gap_reach >= 0, "gap_reach", "at least 0");
+    require(crumb_volume >= 0, "crumb_volume", "at least 0");
+    require(stride > 0, "stride", "positive");
     require(max_substeps >= 1, "max_substeps", "at least 1");
+    require(stalling_share > 0 && stalling_share <= 1, "stalling_share", "in (0, 1]");
     require(approach > 0 && approach < 1, "approach", "in (0, 1)");
+    require(carried_rings >= 0, "carried_rings", "at least 0");
     require(poor_quality > 0 && poor_quality < 1, "poor_quality", "in (0, 1)");
+    require(bad_quality >= 0 && bad_quality <= poor_quality, "bad_quality", "in [0, poor_quality]");
     require(stopping_quality > 0 && stopping_quality < poor_quality, "stopping_quality", "in (0, poor_quality)");
-    require(degenerate_quality >= 0 && degenerate_quality < poor_quality, "degenerate_quality", "in [0, poor_quality)");
-    require(min_edge >= 0, "min_edge", "at least 0");
+    require(upkeep_rounds >= 1, "upkeep_rounds", "at least 1");
+    require(escape_attempts >= 0, "escape_attempts", "at least 0");
+    require(least_escapes >= 0, "least_escapes", "at least 0");
+    require(escape_share >= 0, "escape_share", "at least 0");
+    require(insertion_edge >= 0, "insertion_edge", "at least 0");
+    require(insertion_gain >= 1, "insertion_gain", "at least 1");
+    require(max_edge > 0, "max_edge", "positive");
+    require(min_edge >= 0 && min_edge <= max_edge / 2, "min_edge", "in [0, max_edge / 2]");
     require(collapse_quality > 0 && collapse_quality < 1, "collapse_quality", "in (0, 1)");
-    require(max_bridge > 0, "max_bridge", "positive");
+    require(interface_quality > 0 && interface_quality < 1, "interface_quality", "in (0, 1)");
+    require(degenerate_edge >= 0 && degenerate_edge < 0.5, "degenerate_edge", "in [0, 0.5)");
+    require(degenerate_height >= 0 && degenerate_height < 0.5, "degenerate_height", "in [0, 0.5)");
+    interface_lengths.validate();
+    interface_collapse.validate();
+    interface_flip.validate();
+    interface_smoothing.validate();
 }
 
 }  // namespace dsc::dsc3d

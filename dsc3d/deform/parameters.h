@@ -1,32 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All thresholds of the 3D deformation. Lengths are in units of `edge_length`, qualities are volume-length ratios.
+// All thresholds of the 3D deformation. Lengths are in units of the wanted edge length at the place, qualities are
+// minimum sines of dihedral angles: 0.26 for an angle of 15 degrees.
 // Source: thesis 4.3.1, 4.3.2.
 #pragma once
+
+#include <cstdint>
+
+#include "motion/topology.h"
+#include "surface/edge_collapse.h"
+#include "surface/edge_flip.h"
+#include "surface/edge_length.h"
+#include "surface/null_space_smoothing.h"
 
 namespace dsc::dsc3d {
 
 struct DeformParameters {
     /// Target length of the edges of the interface, in the units of the mesh. No default; > 0.
     double edge_length = 0;
+    /// How fast wanted lengths grow off the interface, per distance. >= 0.
+    double growth = 0.6;
+    /// Of everything random.
+    std::uint64_t seed = 1;
 
-    /// Algorithm 4: substeps before unfinished motion is reported. >= 1.
+    // Topology
+    /// What happens where parts of the interface meet.
+    motion::TopologyPolicy topology = motion::TopologyPolicy::adaptive;
+    /// The label between objects: where it is squeezed away, objects merge; where another one is, that object splits.
+    int background_label = 0;
+    /// Parts of the interface that come closer than this meet. > 0.
+    double contact_distance = 0.25;
+    /// ... if the cosine of the angle between their normals is below this. In (-1, 0).
+    double contact_cosine = -0.3;
+    /// The region between them is squeezed away where it is thinner than this, >= contact_distance,
+    double gap_width = 0.5;
+    /// ... and this near to the place where they met. >= 0.
+    double gap_reach = 2;
+    /// What is left over and smaller than this, in cubed edge lengths, goes with it. >= 0.
+    double crumb_volume = 0.3;
+
+    // Motion
+    /// The way of a vertex in one substep. > 0.
+    double stride = 0.5;
+    /// Substeps beyond those that the stride asks for, before unfinished motion is reported. >= 1.
     int max_substeps = 10;
+    /// ... and no more when a substep leaves this share of the way. In (0, 1].
+    double stalling_share = 0.9;
     /// Share of the way to the link that a blocked vertex makes. In (0, 1).
     double approach = 0.9;
-    /// A vertex stops before the worst tetrahedron at it falls below this. In (0, poor_quality).
-    double stopping_quality = 0.01;
+    /// No motion makes a tetrahedron worse than this. In (0, bad_quality).
+    double stopping_quality = 0.06;
+    /// Rings of vertices off the interface that are carried along with it. >= 0.
+    int carried_rings = 3;
 
+    // Tetrahedra
+    bool improves_quality = true;
     /// Tetrahedra below this are improved. In (0, 1).
-    double poor_quality = 0.35;
-    /// Tetrahedra that stay below this in spite of improvement are removed by a collapse. In [0, poor_quality).
-    double degenerate_quality = 0.02;
+    double poor_quality = 0.26;
+    /// Tetrahedra that stay below this in spite of it are escaped from, or get a vertex. In [0, poor_quality].
+    double bad_quality = 0.23;
+    /// Rounds of hill climbing, and of escapes. >= 1.
+    int upkeep_rounds = 10;
+    /// Random attempts to escape from one bad tetrahedron. >= 0.
+    int escape_attempts = 20;
+    /// ... but in a step not more in all than this, and this share of the tetrahedra that have changed. >= 0.
+    int least_escapes = 20;
+    double escape_share = 0.01;
+    /// Edges shorter than this get no vertex for the sake of quality: thin parts would be filled with ever smaller
+    /// tetrahedra. >= 0.
+    double insertion_edge = 1;
+    /// How many times better a new vertex has to make the worst tetrahedron around it. >= 1.
+    double insertion_gain = 1.2;
 
-    /// Edges off the interface that are shorter are collapsed. [edge_length], >= 0.
-    double min_edge = 0.4;
+    // Edges off the interface
+    bool controls_detail = true;
+    /// Longer ones are halved. > 0.
+    double max_edge = 2.2;
+    /// Shorter ones are collapsed. In [0, max_edge / 2].
+    double min_edge = 0.75;
     /// ... if that leaves the tetrahedra better than this, or better than they are. In (0, 1).
-    double collapse_quality = 0.25;
-    /// Edges off the interface that join it to itself or to the boundary are halved when longer. [edge_length], > 0.
-    double max_bridge = 2.5;
+    double collapse_quality = 0.3;
+
+    // The interface as a surface
+    bool controls_interface = true;
+    /// Its operations make no tetrahedron worse than this, or than it is. In (0, 1).
+    double interface_quality = 0.1;
+    /// Its edges that are shorter than this are collapsed, and triangles lower than this are flipped away, whatever
+    /// that does to the shape. In [0, 0.5).
+    double degenerate_edge = 0.3;
+    double degenerate_height = 0.1;
+    surface::EdgeLengthParameters interface_lengths = {};
+    surface::CollapseParameters interface_collapse = {};
+    surface::FlipParameters interface_flip = {};
+    surface::SmoothingParameters interface_smoothing = {};
 
     /// Throws core::UsageError that names the first field out of its range.
     void validate() const;

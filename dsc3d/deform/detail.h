@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Detail control off the interface: edges that are too long are halved, so that there are vertices that can give way;
+// edges that are too short are collapsed. Source: thesis 4.3.2.1 ("detail control"; edges that join the interface to
+// itself or to the boundary). Guarantee: the surface stays. Cost: linear in the region.
+#pragma once
+
+#include "dsc3d/deform/pass_context.h"
+#include "dsc3d/operations/edge_collapse.h"
+
+namespace dsc::dsc3d {
+
+class DetailControl {
+public:
+    void split_long_edges(PassContext& context);
+    void collapse_short_edges(PassContext& context);
+
+    /// Wanted lengths off the interface follow what has moved in the region.
+    static void update_lengths(PassContext& context);
+
+private:
+    EdgeCollapse collapse_;
+    Proposal proposal_;
+};
+
+}  // namespace dsc::dsc3d

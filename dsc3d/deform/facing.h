@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a tetrahedron separates two sheets of its region's surface: all its vertices are on the interface, and it is
+// thin along the normals of two of them, which point away from each other; or the region has a waist there, as an
+// hourglass, whose normals point elsewhere: a face inside with three edges on the interface, or an edge inside between
+// two of its vertices. One sheet, however flat the tetrahedra under it, faces nothing. Source: what the thesis
+// (4.3.2.1) calls a collision, judged by distance and direction instead of by the quality of the tetrahedron alone,
+// which does not tell a contact from a sliver. Cost: linear in four stars.
+#pragma once
+
+#include <optional>
+
+#include "dsc3d/deform/pass_context.h"
+
+namespace dsc::dsc3d {
+
+/// Two vertices of a tetrahedron on sheets that face each other.
+struct Facing {
+    VertexId a, b;
+    double gap;  ///< of the sheets' planes at the vertices, the wider one
+};
+
+/// The nearest sheets across t that are closer than `distance`, in units of the least edge length wanted at t. None at
+/// the boundary of the domain.
+std::optional<Facing> facing_sheets(PassContext& context, TetId t, double distance);
+
+/// Whether the two wanted to come closer in this substep. What rests, or parts, is no collision, however near.
+bool is_closing(const PassContext& context, const Facing& facing);
+
+}  // namespace dsc::dsc3d

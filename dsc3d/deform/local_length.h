@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wanted edge length at every vertex: on the interface what the caller asks for, off it growing with the distance
+// along the edges. Source: thesis 4.3.2.1 (detail control); gradation: Borouchaki, Hecht, Frey, "Mesh gradation
+// control" (1998). Guarantee: between the ends of an edge of length l it differs by growth * l at most, after what has
+// moved was updated. Cost: construction linear in the edges, times the rings between interface and boundary; an update
+// linear in the stars of the vertices.
+#pragma once
+
+#include <span>
+
+#include "core/attribute.h"
+#include "dsc3d/operations/rated_mesh.h"
+
+namespace dsc::dsc3d {
+
+class LocalLength {
+public:
+    /// `growth` per distance. In a mesh without interface the length is the same everywhere.
+    LocalLength(const Mesh& mesh, double on_interface, double growth);
+
+    double at(VertexId v) const { return length_[v]; }
+    void set(VertexId v, double length) { length_[v] = length; }
+    /// Vertices off the interface follow their neighbours.
+    void update(RatedMesh& mesh, std::span<const VertexId> vertices);
+
+private:
+    double growth_;
+    core::Attribute<VertexId, double> length_;
+};
+
+}  // namespace dsc::dsc3d
