@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "apps/flow/run_steps.h"
 #include "core/errors.h"
 #include "core/stopwatch.h"
@@ -21,43 +23,60 @@ void require_places(const dsc3d::Mesh& mesh, const std::vector<std::optional<Poi
     }
 }
 
-void add_contacts(const dsc3d::StepReport& report, int step, double time, FlowResult& result) {
-    for (const auto& contact : report.contacts)
-        result.events.push_back(
-            {.kind = "contact", .step = step, .time = time, .place = contact.place, .label = contact.label});
-}
+class EventList final : public dsc3d::Listener {
+public:
+    void on_event(const dsc3d::Event& event) override { events_.push_back(event); }
+    std::vector<dsc3d::Event> taken() { return std::exchange(events_, {}); }
+
+private:
+    std::vector<dsc3d::Event> events_;
+};
 
 class Run {
 public:
-    Run(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets, Snapshots& snapshots, FlowResult& result)
+    Run(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets, Snapshots& snapshots,
+        FlowResult& result, Checkpoints* checkpoints)
         : mesh_(mesh),
-          deformer_(deformer),
+          parameters_(parameters),
           targets_(targets),
           snapshots_(snapshots),
           result_(result),
-          unchanged_(mesh) {}
-
-    void begin() {
-        result_.steps.push_back(step_record(mesh_, 0, 0, unchanged_));
-        keep(result_.steps.back());
+          checkpoints_(checkpoints) {
+        if (checkpoints_ && checkpoints_->state()) {
+            equip(*checkpoints_->state());
+        } else {
+            deformer_.emplace(mesh_, parameters_, events_);
+            unchanged_.emplace(mesh_);
+            components_.emplace(mesh_);
+            result_.steps.push_back(step_record(mesh_, 0, 0, *unchanged_));
+            keep(result_.steps.back());
+        }
     }
 
     // Throws core::RunError, before anything has moved, when there are no targets.
     void take_step() {
+        std::vector<std::pair<std::string, double>> milliseconds;
+        core::Stopwatch watch;
+        if (checkpoints_ && checkpoints_->is_due(result_.steps.back().step)) {
+            renew();
+            milliseconds.emplace_back("checkpoint", 1e3 * watch.seconds());
+        }
         const int step = result_.steps.back().step + 1;
         const double start = result_.time.time(step - 1), time = result_.time.time(step);
-        core::Stopwatch watch;
-        const std::vector<std::optional<Point3>> wanted = targets_(mesh_, start, time - start);
-        require_places(mesh_, wanted, start);
-        const double targets_ms = 1e3 * watch.seconds();
         watch = {};
-        const dsc3d::StepReport report = deformer_.step(wanted);
-        const double deform_ms = 1e3 * watch.seconds();
+        const StepMotion wanted = targets_(mesh_, start, time - start);
+        require_places(mesh_, wanted.targets, start);
+        milliseconds.emplace_back("targets", 1e3 * watch.seconds());
         watch = {};
-        StepRecord record = step_record(mesh_, step, time, unchanged_);
+        deformer_->set_edge_lengths(wanted.edge_lengths);
+        const dsc3d::StepReport report = deformer_->step(wanted.targets, wanted.path);
+        milliseconds.emplace_back("deform", 1e3 * watch.seconds());
+        watch = {};
+        StepRecord record = step_record(mesh_, step, time, *unchanged_);
         add_step(record, report);
-        add_contacts(report, step, time, result_);
-        record.milliseconds = {{"targets", targets_ms}, {"deform", deform_ms}, {"measure", 1e3 * watch.seconds()}};
+        add_events(report, step, time);
+        milliseconds.emplace_back("measure", 1e3 * watch.seconds());
+        record.milliseconds = std::move(milliseconds);
         result_.steps.push_back(std::move(record));
     }
 
@@ -68,22 +87,68 @@ public:
                            record.min_dihedral);
     }
 
+    void save() {
+        if (checkpoints_) checkpoints_->save(result_, snapshots_);
+    }
+
 private:
+    RunState state() const {
+        return {.step = result_.steps.back().step,
+                .seconds = result_.seconds + watch_.seconds(),
+                .tets = mesh_.data(),
+                .edge_lengths = deformer_->edge_lengths(),
+                .unchanged = unchanged_->state(mesh_)};
+    }
+
+    // The mesh and all that looks at it from what a checkpoint holds, as a run that goes on from it has them.
+    void renew() {
+        checkpoints_->take(state(), result_, snapshots_);
+        deformer_.reset();
+        unchanged_.reset();
+        components_.reset();
+        mesh_ = dsc3d::Mesh(checkpoints_->state()->tets);
+        equip(*checkpoints_->state());
+    }
+
+    void equip(const RunState& state) {
+        dsc3d::DeformParameters parameters = parameters_;
+        parameters.seed += static_cast<std::uint64_t>(state.step);  // not the same random numbers again
+        deformer_.emplace(mesh_, parameters, events_);
+        deformer_->restore_edge_lengths(state.edge_lengths);
+        unchanged_.emplace(mesh_, state.unchanged);
+        components_.emplace(mesh_);
+    }
+
+    void add_events(const dsc3d::StepReport& report, int step, double time) {
+        const auto add = [&](const char* kind, const Point3& place, int label) {
+            result_.events.push_back({.kind = kind, .step = step, .time = time, .place = place, .label = label});
+        };
+        for (const dsc3d::Event& event : events_.taken())
+            add(event.label == parameters_.background_label ? "merge" : "split", event.place, event.label);
+        for (const auto& contact : report.contacts) add("contact", contact.place, contact.label);
+        for (const auto& [label, centroid] : components_->update(mesh_)) add("vanish", centroid, label);
+    }
+
     dsc3d::Mesh& mesh_;
-    dsc3d::Deformer& deformer_;
+    dsc3d::DeformParameters parameters_;
     const Targets& targets_;
     Snapshots& snapshots_;
     FlowResult& result_;
-    UnchangedTriangles unchanged_;
+    Checkpoints* checkpoints_;
+    core::Stopwatch watch_;
+    EventList events_;
+    std::optional<dsc3d::Deformer> deformer_;
+    std::optional<UnchangedTriangles> unchanged_;
+    std::optional<ComponentTracker<Tets>> components_;
 };
 
 }  // namespace
 
-void run_flow(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets, Snapshots& snapshots,
-              core::Observer& observer, FlowResult& result) {
-    Run run(mesh, deformer, targets, snapshots, result);
-    if (result.steps.empty()) run.begin();
+void run_flow(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets,
+              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints) {
+    Run run(mesh, parameters, targets, snapshots, result, checkpoints);
     run_steps(result, run, observer);
+    run.save();
     snapshots.add_last(mesh, result.steps.back().step, result.steps.back().time);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "apps/flow/checkpoint.h"
 #include "apps/flow/report.h"
 #include "apps/flow/snapshots.h"
 #include "core/observer.h"
@@ -16,13 +17,23 @@
 
 namespace dsc::flow {
 
-/// Where vertices of the interface have to be at time + dt: indexed by vertex, missing ones stay.
-using Targets = std::function<std::vector<std::optional<Point3>>(const dsc3d::Mesh& mesh, double time, double dt)>;
+/// The motion of one step.
+struct StepMotion {
+    std::vector<std::optional<Point3>> targets;  ///< indexed by vertex, missing ones stay
+    dsc3d::Deformer::Path path;                  ///< to the targets; empty: straight
+    /// Wanted at vertices of the interface from here on; missing ones stay.
+    std::vector<std::optional<double>> edge_lengths = {};
+};
 
-/// Steps from `result.steps.back()` on (or from the start, when there is none) and fills the rest of `result`. Ends
-/// early when the observer asks for it, no interface is left, or there are no targets, or one is not finite: then the
-/// mesh is in its last good state, and the result says why.
-void run_flow(dsc3d::Mesh& mesh, dsc3d::Deformer& deformer, const Targets& targets, Snapshots& snapshots,
-              core::Observer& observer, FlowResult& result);
+/// The motion from `time` to time + dt.
+using Targets = std::function<StepMotion(const dsc3d::Mesh& mesh, double time, double dt)>;
+
+/// Steps from the start to the end of `result.time` and fills the rest of `result`. Ends early when the observer asks
+/// for it, no interface is left, or there are no targets, or one is not finite: then the mesh is in its last good
+/// state, and the result says why. With checkpoints, mesh and deformer are made again from each of them; when these
+/// have a state already, the run goes on from it: the mesh has to be that of the state, and result and snapshots what
+/// has come up to there.
+void run_flow(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets,
+              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints = nullptr);
 
 }  // namespace dsc::flow

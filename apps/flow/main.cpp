@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "apps/common/progress.h"
 #include "apps/common/run_main.h"
@@ -10,6 +12,8 @@
 #include "apps/flow/initial_mesh.h"
 #include "apps/flow/output.h"
 #include "apps/flow/planar/program.h"
+#include "apps/flow/resume.h"
+#include "apps/flow/sizing.h"
 #include "apps/flow/targets.h"
 #include "core/errors.h"
 #include "dsc3d/interface.h"
@@ -29,30 +33,71 @@ void write_results(const Options& options, const dsc3d::Mesh& mesh, const FlowRe
                   [&](const std::string& title) { return html_page(result, snapshots, title); });
 }
 
+dsc3d::DeformParameters deformation(const Options& options, double edge_length) {
+    return {.edge_length = edge_length,
+            .seed = static_cast<std::uint64_t>(options.common.seed),
+            .topology = options.topology};
+}
+
+Targets motion_of(const Options& options, const FlowResult& result) {
+    Targets motion = motion_targets(options.motion, result.domain, result.time.until);
+    return options.sizing ? with_sizing(std::move(motion), *options.sizing, result.edge_length) : motion;
+}
+
+// From where `result`, `snapshots` and `checkpoints` are to the end.
+int finish(const Options& options, const Targets& targets, dsc3d::Mesh& mesh, FlowResult& result, Snapshots& snapshots,
+           Checkpoints* checkpoints, apps::ProgressObserver& observer) {
+    remove_unfinished_files(options.folder);
+    run_flow(mesh, deformation(options, result.edge_length), targets, snapshots, observer, result, checkpoints);
+    write_results(options, mesh, result, snapshots);
+    observer.clear();
+    if (!options.common.quiet) fmt::print("{}", report_text(result));
+    if (result.end == FlowEnd::cancelled && checkpoints && checkpoints->state())
+        throw core::RunError(result.reason + "; " + options.folder + " has the state before; flow --resume -o " +
+                             options.folder + " goes on");
+    require_end(result.end, result.reason, options.folder);
+    return apps::exit_done;
+}
+
+int start(const Options& options) {
+    if (options.shape.shape == Shape::file) require_other_files(options.shape.path, options.folder);
+    apps::ProgressObserver observer(options.common.progress);
+    const InitialMesh initial = initial_mesh(options.shape, observer);
+    FlowResult result{
+        .domain = initial.domain, .edge_length = initial.edge_length, .time = time_steps(options.time, options.motion)};
+    const Targets targets = motion_of(options, result);
+    dsc3d::Mesh mesh(initial.data);
+    std::optional<Checkpoints> checkpoints;
+    if (options.checkpoint_interval > 0) {
+        checkpoints.emplace(checkpoint_path(options.folder), options.given, options.checkpoint_interval);
+    } else {
+        remove_checkpoint(options.folder);
+    }
+    Snapshots snapshots(options.folder, result.time.count, options.snapshots);
+    return finish(options, targets, mesh, result, snapshots, checkpoints ? &*checkpoints : nullptr, observer);
+}
+
+int resume(const Options& resuming) {
+    const std::filesystem::path path = checkpoint_path(resuming.folder);
+    SavedRun saved = read_checkpoint(path);
+    const Options options = options_of(saved, resuming);
+    apps::ProgressObserver observer(options.common.progress);
+    FlowResult result = std::move(saved.result);
+    result.time = time_steps(options.time, options.motion);
+    const Targets targets = motion_of(options, result);
+    dsc3d::Mesh mesh(saved.state.tets, path.string());
+    Checkpoints checkpoints(path, options.given, options.checkpoint_interval);
+    checkpoints.restore(std::move(saved.state));
+    Snapshots snapshots(options.folder, result.time.count, options.snapshots);
+    for (Snapshots::Frame& frame : saved.frames) snapshots.restore(std::move(frame));
+    return finish(options, targets, mesh, result, snapshots, &checkpoints, observer);
+}
+
 int run(int argc, const char* const* argv) {
     const std::optional<Options> options = parse_options(argc, argv);
     if (!options) return apps::exit_done;
-    if (options->sizing) throw core::UsageError("--sizing is not there yet");
-    if (options->is_resumed) throw core::UsageError("--resume is not there yet");
-    if (options->planar) return planar::run(*options);
-    if (options->topology != motion::TopologyPolicy::preserved)
-        throw core::UsageError("--topology: only preserved is there yet; interfaces that meet are stopped");
-    if (options->shape.shape == Shape::file) require_other_files(options->shape.path, options->folder);
-    apps::ProgressObserver observer(options->common.progress);
-    const InitialMesh initial = initial_mesh(options->shape, observer);
-    FlowResult result{.domain = initial.domain,
-                      .edge_length = initial.edge_length,
-                      .time = time_steps(options->time, options->motion)};
-    const Targets targets = motion_targets(options->motion, initial.domain, result.time.until);
-    dsc3d::Mesh mesh(initial.data);
-    dsc3d::Deformer deformer(mesh, {.edge_length = initial.edge_length});
-    Snapshots snapshots(options->folder, result.time.count, options->snapshots);
-    run_flow(mesh, deformer, targets, snapshots, observer, result);
-    write_results(*options, mesh, result, snapshots);
-    observer.clear();
-    if (!options->common.quiet) fmt::print("{}", report_text(result));
-    require_end(result.end, result.reason, options->folder);
-    return apps::exit_done;
+    if (options->is_resumed) return resume(*options);
+    return options->planar ? planar::run(*options) : start(*options);
 }
 
 }  // namespace

@@ -122,8 +122,10 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         "dumbbell, slotted-disc, polygon, box, labelled-block; polygons (.svg, .csv, .json); or a labelled planar mesh "
         "(.mesh). Points have two coordinates then.",
         "flow slotted-cube --motion rotate --angle 360 --steps 50 -o turned",
-        {.output = "folder for final.obj, final.mesh, series.pvd, report.json, index.html", .output_is_folder = true});
-    line.input_file("SHAPE", texts.shape, "what moves: a name, or a file");
+        {.output = "folder for final.obj, final.mesh, series.pvd, report.json, index.html, checkpoint",
+         .output_is_folder = true});
+    std::optional<std::string> shape_text;
+    line.input_file("SHAPE", shape_text, "what moves: a name, or a file (not needed with --resume)");
     line.heading("Shape");
     line.text("--center", texts.centre, "x,y,z (default 0.5,0.5,0.5)");
     line.number("--radius", shape.radius, "of sphere, balls or ring (default 0.3; two-spheres 0.15)", {.above = 0});
@@ -158,20 +160,34 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.integer("--steps", steps, "number of steps (0: from --dt and --until, or 50)", {.at_least = 0});
     line.heading("Deformation");
     line.choice("--topology", texts.topology, all_names(topology_names),
-                "what may happen where the interface meets itself (3D: only preserved is there yet)");
+                "what may happen where the interface meets itself");
     line.integer("--dimension", options.dimension, "2 or 3", {.at_least = 2, .at_most = 3});
-    line.text("--sizing", options.sizing,
-              "edge lengths: uniform, curvature, thickness, or an expression in x, y, z (not there yet)");
+    line.text("--sizing", options.sizing, "edge lengths: uniform, curvature, thickness, or an expression in x, y, z");
     line.heading("Output");
     line.integer("--snapshots", options.snapshots, "of the interface in series.pvd and index.html, evenly spaced",
                  {.at_least = 0, .at_most = 10000});
-    line.flag("--resume", options.is_resumed, "go on from the checkpoint in the folder (not there yet)");
+    line.integer("--checkpoint", options.checkpoint_interval,
+                 "steps from one checkpoint in the folder to the next, 0 for none; the steps depend on it a little, "
+                 "since mesh and random numbers begin anew there",
+                 {.at_least = 0});
+    line.flag("--resume", options.is_resumed,
+              "go on from the checkpoint in the folder, with the options of that run: flow --resume -o DIR; not with "
+              "--dimension 2");
     if (!line.parse(argc, argv)) return std::nullopt;
 
     options.common = line.common();
     options.given = line.given();
     if (!options.common.output) throw core::UsageError("-o DIR is needed");
     options.folder = *options.common.output;
+    if (options.dimension == 2) {
+        if (options.sizing) throw core::UsageError("--sizing is there in three dimensions only");
+        for (const char* option : {"--resume", "--checkpoint"})
+            if (line.is_given(option))
+                throw core::UsageError(std::string(option) + ": is not there yet with --dimension 2");
+    }
+    if (options.is_resumed) return options;
+    if (!shape_text) throw core::UsageError("SHAPE is needed; see flow --help");
+    texts.shape = *shape_text;
     if (steps > 0) options.time.steps = steps;
     if (options.time.dt && options.time.until && options.time.steps)
         throw core::UsageError("only two of --dt, --until, --steps can be given: the third one follows");

@@ -63,13 +63,15 @@ struct Options {
     std::optional<planar::Options> planar;  ///< dimension 2: then shape and motion are those of its own
     std::optional<std::string> sizing;
     int snapshots = 20;
+    int checkpoint_interval = 25;  ///< steps; 0: no checkpoints
     bool is_resumed = false;
     std::string folder;
     apps::CommonOptions common;
     io::Json given;  ///< the options on the command line, for the report
 };
 
-/// Nothing when --help or --version was asked for. Throws core::UsageError and core::InputError.
+/// Nothing when --help or --version was asked for. With --resume only what is common to all programs, `folder` and
+/// `given` are filled: the rest is in the checkpoint. Throws core::UsageError and core::InputError.
 std::optional<Options> parse_options(int argc, const char* const* argv);
 
 }  // namespace dsc::flow

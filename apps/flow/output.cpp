@@ -2,7 +2,9 @@
 #include "apps/flow/output.h"
 
 #include <system_error>
+#include <vector>
 
+#include "apps/flow/checkpoint.h"
 #include "core/errors.h"
 #include "io/atomic_file.h"
 
@@ -33,6 +35,22 @@ void require_other_files(const std::string& input, const std::filesystem::path& 
         if (std::filesystem::equivalent(input, folder / name, absent))
             throw core::UsageError(input + " would be overwritten by the result; choose another folder for -o");
     }
+}
+
+void remove_checkpoint(const std::filesystem::path& folder) {
+    std::error_code absent;
+    std::filesystem::remove(checkpoint_path(folder), absent);
+}
+
+void remove_unfinished_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.ends_with(".part")) continue;
+        for (const char* stem : {".checkpoint.", ".series", ".final.", ".report.json.", ".index.html.", ".probe."})
+            if (name.starts_with(stem)) found.push_back(entry.path());
+    }
+    for (const std::filesystem::path& path : found) std::filesystem::remove(path);
 }
 
 void write_reports(const Options& options, const io::Json& report,

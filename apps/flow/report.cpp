@@ -41,6 +41,7 @@ Json step_json(const StepRecord& step) {
                          {"complete", step.is_complete},
                          {"substeps", step.substeps},
                          {"unfinished", step.unfinished},
+                         {"in_contact", step.in_contact},
                          {"largest_remainder", step.largest_remainder},
                          {"operations", counts_json(step.counts)},
                          {"ms", milliseconds_json(step.milliseconds)}});

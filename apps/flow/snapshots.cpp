@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "apps/flow/report_parts.h"
 #include "core/assert.h"
@@ -69,17 +70,21 @@ Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) 
     if (count > 0) files_.emplace(folder, "series");
 }
 
-void Snapshots::keep(const dsc3d::Mesh& mesh, double time) {
-    frames_.push_back({time, dsc3d::Interface(mesh).data});
-    files_->add(time, poly_data(frames_.back().interface));
+void Snapshots::keep(Frame frame) {
+    files_->add(frame.time, poly_data(frame.interface));
+    frames_.push_back(std::move(frame));
 }
 
 void Snapshots::add(const dsc3d::Mesh& mesh, int step, double time) {
-    if (times_to_keep_.take(step)) keep(mesh, time);
+    if (times_to_keep_.take(step)) keep({step, time, dsc3d::Interface(mesh).data});
 }
 
 void Snapshots::add_last(const dsc3d::Mesh& mesh, int step, double time) {
-    if (times_to_keep_.take_last(step)) keep(mesh, time);
+    if (times_to_keep_.take_last(step)) keep({step, time, dsc3d::Interface(mesh).data});
+}
+
+void Snapshots::restore(Frame frame) {
+    if (times_to_keep_.take_last(frame.step)) keep(std::move(frame));
 }
 
 std::vector<io::ViewSurfaceSeries> Snapshots::series() const {

@@ -26,15 +26,20 @@ public:
     /// Keeps it in any case: the last state of a run that ended early.
     void add_last(const dsc3d::Mesh& mesh, int step, double time);
 
+    struct Frame {
+        int step;
+        double time;
+        geometry::InterfaceData interface;
+    };
+    /// What an earlier part of the run has kept, in its order: its files are written again.
+    void restore(Frame frame);
+    const std::vector<Frame>& frames() const { return frames_; }
+
     /// One surface for each pair of labels that meet.
     std::vector<io::ViewSurfaceSeries> series() const;
 
 private:
-    struct Frame {
-        double time;
-        geometry::InterfaceData interface;
-    };
-    void keep(const dsc3d::Mesh& mesh, double time);
+    void keep(Frame frame);
 
     SnapshotTimes times_to_keep_;
     std::optional<io::PvdSeries> files_;

@@ -18,20 +18,6 @@ using dsc3d::TetId;
 
 namespace {
 
-std::vector<std::array<std::uint32_t, 3>> interface_triangles(const Complex& complex) {
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
-        const FaceId f(i);
-        if (complex.is_deleted(f) || !complex.is_interface(f)) continue;
-        const dsc3d::FaceVertices v = complex.vertices(f);
-        std::array<std::uint32_t, 3>& key = triangles.emplace_back();
-        std::ranges::transform(v, key.begin(), [](dsc3d::VertexId vertex) { return vertex.index(); });
-        std::ranges::sort(key);
-    }
-    std::ranges::sort(triangles);
-    return triangles;
-}
-
 void judge_tets(const Mesh& mesh, StepRecord& record) {
     const Complex& complex = mesh.complex();
     record.min_quality = std::numeric_limits<double>::infinity();
@@ -51,11 +37,39 @@ void judge_tets(const Mesh& mesh, StepRecord& record) {
 
 }  // namespace
 
-UnchangedTriangles::UnchangedTriangles(const Mesh& mesh) : first_(interface_triangles(mesh.complex())) {}
-
-double UnchangedTriangles::share(const Mesh& mesh) const {
-    return kept_share(first_, interface_triangles(mesh.complex()));
+UnchangedTriangles::UnchangedTriangles(const Mesh& mesh) : number_(mesh.complex().vertex_attributes(), 0u) {
+    for (std::uint32_t i = 0; i < mesh.complex().vertex_capacity(); ++i) number_[dsc3d::VertexId(i)] = i + 1;
+    first_ = numbered_triangles(mesh);
 }
+
+UnchangedTriangles::UnchangedTriangles(const Mesh& mesh, const State& state)
+    : number_(mesh.complex().vertex_attributes(), 0u), first_(state.first) {
+    for (std::uint32_t i = 0; i < state.numbers.size(); ++i) number_[dsc3d::VertexId(i)] = state.numbers[i];
+}
+
+UnchangedTriangles::State UnchangedTriangles::state(const Mesh& mesh) const {
+    State state{.first = first_};
+    for (std::uint32_t i = 0; i < mesh.complex().vertex_capacity(); ++i)
+        if (!mesh.complex().is_deleted(dsc3d::VertexId(i))) state.numbers.push_back(number_[dsc3d::VertexId(i)]);
+    return state;
+}
+
+std::vector<UnchangedTriangles::Key> UnchangedTriangles::numbered_triangles(const Mesh& mesh) const {
+    const Complex& complex = mesh.complex();
+    std::vector<Key> triangles;
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        const FaceId f(i);
+        if (complex.is_deleted(f) || !complex.is_interface(f)) continue;
+        const dsc3d::FaceVertices v = complex.vertices(f);
+        Key& key = triangles.emplace_back();
+        std::ranges::transform(v, key.begin(), [&](dsc3d::VertexId vertex) { return number_[vertex]; });
+        std::ranges::sort(key);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+}
+
+double UnchangedTriangles::share(const Mesh& mesh) const { return kept_share(first_, numbered_triangles(mesh)); }
 
 StepRecord step_record(const Mesh& mesh, int step, double time, const UnchangedTriangles& unchanged) {
     StepRecord record{.step = step, .time = time};
@@ -74,8 +88,10 @@ void add_step(StepRecord& record, const motion::StepReport<3>& report) {
     record.is_complete = report.is_complete;
     record.substeps = report.substeps;
     record.unfinished = report.unfinished.size();
-    for (const auto& motion : report.unfinished)
+    for (const auto& motion : report.unfinished) {
+        record.in_contact += motion.is_locked ? 1 : 0;
         record.largest_remainder = std::max(record.largest_remainder, motion.remaining.stableNorm());
+    }
     record.counts = report.counts;
 }
 

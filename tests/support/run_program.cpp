@@ -29,25 +29,32 @@ bool read_some(int descriptor, std::string& text) {
     return count > 0;
 }
 
+pid_t start(const std::string& program, const std::vector<std::string>& arguments, int out, int err) {
+    std::vector<char*> argv{const_cast<char*>(program.c_str())};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("no process");
+    if (child == 0) {
+        ::dup2(out, STDOUT_FILENO);
+        ::dup2(err, STDERR_FILENO);
+        ::execv(program.c_str(), argv.data());
+        ::_exit(127);
+    }
+    return child;
+}
+
+int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
+
 }  // namespace
 
 int ProgramResult::err_lines() const { return static_cast<int>(std::ranges::count(err, '\n')); }
 
 ProgramResult run_program(const std::string& program, const std::vector<std::string>& arguments,
                           const std::string& interrupt_at) {
-    std::vector<char*> argv{const_cast<char*>(program.c_str())};
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
     const auto out = make_pipe();
     const auto err = make_pipe();
-    const pid_t child = ::fork();
-    if (child < 0) throw std::runtime_error("no process");
-    if (child == 0) {
-        ::dup2(out[1], STDOUT_FILENO);
-        ::dup2(err[1], STDERR_FILENO);
-        ::execv(program.c_str(), argv.data());
-        ::_exit(127);
-    }
+    const pid_t child = start(program, arguments, out[1], err[1]);
     ::close(out[1]);
     ::close(err[1]);
 
@@ -67,8 +74,25 @@ ProgramResult run_program(const std::string& program, const std::vector<std::str
     ::close(err[0]);
     int status = 0;
     ::waitpid(child, &status, 0);
-    result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    result.exit_code = exit_code_of(status);
     return result;
+}
+
+int run_program_killed(const std::string& program, const std::vector<std::string>& arguments,
+                       const std::function<bool()>& is_time) {
+    const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    const pid_t child = start(program, arguments, nowhere, nowhere);
+    ::close(nowhere);
+    int status = 0;
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+        if (is_time()) {
+            ::kill(child, SIGKILL);
+            ::waitpid(child, &status, 0);
+            break;
+        }
+        ::poll(nullptr, 0, 1);
+    }
+    return exit_code_of(status);
 }
 
 }  // namespace dsc::tests

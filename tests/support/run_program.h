@@ -5,6 +5,7 @@
 //     CHECK(result.exit_code == 2);
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,10 @@ struct ProgramResult {
 /// When `interrupt_at` is not empty, SIGINT is sent once that text has appeared on stdout.
 ProgramResult run_program(const std::string& program, const std::vector<std::string>& arguments,
                           const std::string& interrupt_at = {});
+
+/// The exit code of the program when it is killed (SIGKILL) once `is_time`, which is asked every millisecond, unless it
+/// has ended by then.
+int run_program_killed(const std::string& program, const std::vector<std::string>& arguments,
+                       const std::function<bool()>& is_time);
 
 }  // namespace dsc::tests

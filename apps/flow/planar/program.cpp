@@ -106,6 +106,7 @@ int run(const flow::Options& options) {
     result.edge_length = initial.edge_length;
     result.time = time_steps(options.time, end_of_motion);
     const Targets targets = motion_targets(planar.motion, initial.domain, initial.edge_length, result.time.until);
+    remove_checkpoint(options.folder);
     Snapshots snapshots(options.folder, result.time.count, options.snapshots);
     run_flow(initial.complex, deformation(initial, options.topology), targets, snapshots, observer, result);
     write_results(options, initial.complex, result, snapshots);

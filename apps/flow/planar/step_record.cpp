@@ -2,11 +2,9 @@
 #include "apps/flow/planar/step_record.h"
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 
 #include "apps/flow/kept_share.h"
-#include "dsc2d/components.h"
 #include "geometry/triangle.h"
 
 namespace dsc::flow::planar {
@@ -52,47 +50,6 @@ std::vector<UnchangedEdges::Key> UnchangedEdges::numbered_edges(const Complex& c
 }
 
 double UnchangedEdges::share(const Complex& complex) const { return kept_share(first_, numbered_edges(complex)); }
-
-ComponentTracker::ComponentTracker(const Complex& complex) : component_(complex.face_attributes(), 0) {
-    number_components(complex);
-}
-
-std::vector<ComponentTracker::Component> ComponentTracker::update(const Complex& complex) {
-    std::vector<std::uint8_t> is_there(components_.size(), 0);
-    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
-        const FaceId f(i);
-        if (complex.is_deleted(f) || component_[f] == 0) continue;
-        if (components_[component_[f] - 1].label == complex.label(f)) is_there[component_[f] - 1] = 1;
-    }
-    std::vector<Component> vanished;
-    std::map<int, std::int64_t> lost;
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-        ++lost[components_[i].label];
-        if (is_there[i] == 0) vanished.push_back(components_[i]);
-    }
-    number_components(complex);
-    for (const Component& component : components_) --lost[component.label];
-    // A component may have got new triangles throughout: one is gone only when there are fewer.
-    std::erase_if(vanished, [&](const Component& component) { return lost[component.label]-- <= 0; });
-    return vanished;
-}
-
-void ComponentTracker::number_components(const Complex& complex) {
-    core::DisjointSets parts = dsc2d::components(complex);
-    components_.clear();
-    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
-        const FaceId f(i);
-        if (complex.is_deleted(f)) continue;
-        const std::uint32_t first = parts.find(i);
-        if (first == i) {
-            const auto [a, b, c] = complex.corners(f);
-            components_.push_back({complex.label(f), (a + b + c) / 3});
-            component_[f] = static_cast<std::uint32_t>(components_.size());
-        } else {
-            component_[f] = component_[FaceId(first)];
-        }
-    }
-}
 
 StepRecord step_record(const Complex& complex, int step, double time, const UnchangedEdges& unchanged) {
     StepRecord record{.step = step, .time = time};

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "apps/flow/component_tracker.h"
 #include "dsc2d/complex.h"
+#include "dsc2d/components.h"
 #include "dsc2d/label_statistics.h"
 #include "motion/step_report.h"
 
@@ -55,24 +57,22 @@ private:
     std::vector<Key> first_;                                 ///< ascending
 };
 
-/// Knows the components of all labels, and which of them are no longer there.
-class ComponentTracker {
-public:
-    explicit ComponentTracker(const dsc2d::Complex& complex);
-
-    struct Component {
-        int label = 0;
-        Point2 centroid = Point2::Zero();  ///< of one of its triangles, on a torus in whatever period
-    };
-    /// Those that have vanished since the last call.
-    std::vector<Component> update(const dsc2d::Complex& complex);
-
-private:
-    void number_components(const dsc2d::Complex& complex);
-
-    core::Attribute<core::FaceId, std::uint32_t> component_;  ///< from 1; 0: a new face
-    std::vector<Component> components_;
+/// The cells of a planar complex, for its components.
+struct Triangles {
+    using Mesh = dsc2d::Complex;
+    using Handle = core::FaceId;
+    using Place = Point2;
+    static auto attributes(const Mesh& mesh) { return mesh.face_attributes(); }
+    static std::uint32_t capacity(const Mesh& mesh) { return mesh.face_capacity(); }
+    static bool is_deleted(const Mesh& mesh, Handle f) { return mesh.is_deleted(f); }
+    static int label(const Mesh& mesh, Handle f) { return mesh.label(f); }
+    static Point2 centroid(const Mesh& mesh, Handle f) {
+        const auto [a, b, c] = mesh.corners(f);
+        return (a + b + c) / 3;
+    }
+    static core::DisjointSets components(const Mesh& mesh) { return dsc2d::components(mesh); }
 };
+using ComponentTracker = flow::ComponentTracker<Triangles>;
 
 /// The figures of the mesh; those of the step stay at their defaults.
 StepRecord step_record(const dsc2d::Complex& complex, int step, double time, const UnchangedEdges& unchanged);

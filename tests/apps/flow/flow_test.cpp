@@ -3,10 +3,13 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 
 #include "apps/flow/initial_mesh.h"
 #include "apps/flow/targets.h"
 #include "core/errors.h"
+#include "dsc3d/generate/fit.h"
+#include "dsc3d/generate/lattice.h"
 #include "dsc3d/interface.h"
 #include "tests/support/temporary_folder.h"
 
@@ -25,10 +28,10 @@ struct Run {
         result.edge_length = initial.edge_length;
         result.time = time_steps({.steps = steps}, {});
     }
-    void go(const Targets& targets, core::Observer& observer) {
-        dsc3d::Deformer deformer(*mesh, {.edge_length = result.edge_length});
+    void go(const Targets& targets, core::Observer& observer,
+            motion::TopologyPolicy policy = motion::TopologyPolicy::adaptive) {
         Snapshots snapshots(folder.path(), result.time.count, 2);
-        run_flow(*mesh, deformer, targets, snapshots, observer, result);
+        run_flow(*mesh, {.edge_length = result.edge_length, .topology = policy}, targets, snapshots, observer, result);
     }
 
     tests::TemporaryFolder folder;
@@ -73,6 +76,44 @@ TEST_CASE("a ball that is turned by 90 degrees is the ball turned by 90 degrees"
     }
 }
 
+TEST_CASE("balls that meet are one event, in the step and at the place where they do") {
+    for (const auto policy : {motion::TopologyPolicy::adaptive, motion::TopologyPolicy::preserved}) {
+        dsc3d::Mesh mesh(dsc3d::lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, 0.12));
+        fit(mesh, [](const Point3& p) {
+            return std::min((p - Point3(0.3, 0.5, 0.5)).norm(), (p - Point3(0.7, 0.5, 0.5)).norm()) - 0.14;
+        });
+        Run run(8);
+        run.mesh.emplace(mesh.data());
+        core::Observer observer;
+        const Targets together = [](const dsc3d::Mesh& now, double, double) -> StepMotion {
+            StepMotion wanted{std::vector<std::optional<Point3>>(now.complex().vertex_capacity()), nullptr};
+            for (const dsc3d::VertexId v : dsc3d::Interface(now).vertices)
+                wanted.targets[v.index()] = now.position(v) + Point3(now.position(v).x() < 0.5 ? 0.02 : -0.02, 0, 0);
+            return wanted;
+        };
+        run.go(together, observer, policy);
+        std::map<std::string, int> kinds;
+        for (const auto& event : run.result.events) {
+            ++kinds[event.kind];
+            CHECK(event.step >= 1);
+            CHECK(event.step <= 8);
+            CHECK(event.time == run.result.time.time(event.step));
+            CHECK(event.label == 0);
+            CHECK((event.place - Point3(0.5, 0.5, 0.5)).norm() < 0.15);
+        }
+        const bool may_merge = policy == motion::TopologyPolicy::adaptive;
+        CHECK(kinds["merge"] == (may_merge ? 1 : 0));
+        CHECK(kinds["vanish"] == 0);  // what has merged is still there
+        CHECK((kinds["contact"] > 0) == !may_merge);
+        CHECK(kinds["split"] == 0);
+        CHECK(run.result.steps.front().labels[1].components == 2);
+        CHECK(run.result.steps.back().labels[1].components == (may_merge ? 1 : 2));
+        std::size_t changes = 0;
+        for (const StepRecord& step : run.result.steps) changes += step.counts.topology_changes;
+        CHECK(changes == (may_merge ? 1 : 0));
+    }
+}
+
 TEST_CASE("a run that is stopped keeps the steps made, and one whose targets are no numbers says where") {
     {
         Run run(20);
@@ -84,11 +125,11 @@ TEST_CASE("a run that is stopped keeps the steps made, and one whose targets are
     }
     Run run(20);
     core::Observer observer;
-    const Targets bad = [](const dsc3d::Mesh& mesh, double time, double) {
+    const Targets bad = [](const dsc3d::Mesh& mesh, double time, double) -> StepMotion {
         std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
         const dsc3d::VertexId v = dsc3d::Interface(mesh).vertices[5];
         targets[v.index()] = time < 0.1 ? mesh.position(v) : Point3(std::nan(""), 0, 0);
-        return targets;
+        return {targets, nullptr};
     };
     run.go(bad, observer);
     CHECK(run.result.end == FlowEnd::stopped);
@@ -100,9 +141,9 @@ TEST_CASE("a run that is stopped keeps the steps made, and one whose targets are
 TEST_CASE("a run whose targets can't be computed ends in its last good state") {
     Run run(20);
     core::Observer observer;
-    const Targets failing = [](const dsc3d::Mesh& mesh, double time, double) {
+    const Targets failing = [](const dsc3d::Mesh& mesh, double time, double) -> StepMotion {
         if (time >= 0.1) throw core::RunError("no solution");
-        return std::vector<std::optional<Point3>>(mesh.complex().vertex_capacity());
+        return {std::vector<std::optional<Point3>>(mesh.complex().vertex_capacity()), nullptr};
     };
     run.go(failing, observer);
     CHECK(run.result.end == FlowEnd::stopped);

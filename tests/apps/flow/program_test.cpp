@@ -72,7 +72,6 @@ TEST_CASE("bad input is refused in one line") {
     check_refused({box, "--edge-length", "1e-7", "-o", out}, "edge_length");
     check_refused({"sphere", "--domain", "-1e200,-1e200,-1e200,1e200,1e200,1e200", "-o", out}, "1e100");
     check_refused({"sphere", "--radius", "1e-12", "-o", out}, "times as large");
-    check_refused({"sphere", "--topology", "adaptive", "-o", out}, "--topology");
 }
 
 TEST_CASE("going on from a result needs another folder, and an earlier series does not outlive a run without one") {

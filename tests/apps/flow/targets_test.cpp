@@ -25,7 +25,7 @@ dsc3d::Mesh ball() { return mesh_of({.shape = Shape::sphere, .radius = 0.2, .edg
 
 std::vector<std::optional<Point3>> targets_of(const dsc3d::Mesh& mesh, const MotionOptions& motion, double time,
                                               double dt) {
-    return motion_targets(motion, Eigen::AlignedBox3d(Point3(0, 0, 0), Point3(1, 1, 1)), 1)(mesh, time, dt);
+    return motion_targets(motion, Eigen::AlignedBox3d(Point3(0, 0, 0), Point3(1, 1, 1)), 1)(mesh, time, dt).targets;
 }
 
 /// The mean distance of the targets from the centre.
