@@ -36,7 +36,7 @@ Targets targets_of(const Mesh& mesh, Flow&& flow) {
     Targets targets(mesh.complex().vertex_capacity());
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
         const VertexId v(i);
-        if (!mesh.complex().is_deleted(v) && mesh.complex().is_interface(v) && !mesh.complex().is_boundary(v))
+        if (!mesh.complex().is_deleted(v) && mesh.complex().is_interface(v))
             targets[i] = flow(mesh.position(v));
     }
     return targets;
@@ -110,6 +110,29 @@ TEST_CASE("a turning ball keeps its volume, and every vertex arrives") {
     CHECK(interface_triangles(mesh.complex()) == triangles);
     CHECK(volume_of_label(mesh, 1) == Approx(volume).epsilon(1e-12));
     CHECK(volume_of_label(mesh, 0) + volume_of_label(mesh, 1) == Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("a layer that ends on the walls slides along them, and is pulled off none") {
+    Mesh mesh = slab(1, {0, 1, 0});
+    Deformer deformer(mesh, {.edge_length = 1});
+    const auto triangles = interface_triangles(mesh.complex());
+    const double shift = 0.05;
+    for (int step = 1; step <= 10; ++step) {
+        // Into the walls and out of them too, which is no way to go.
+        const auto at_wall = [&](double x) { return x == 0 || x == 6 ? 0.1 * (step % 2 == 0 ? x - 3 : 3 - x) : 0; };
+        const Targets targets = targets_of(
+            mesh, [&](const Point3& p) { return Point3(p + Point3(at_wall(p.x()), at_wall(p.y()), shift)); });
+        deformer.step(targets);
+        REQUIRE(validate(mesh).empty());
+        for (const VertexId v : vertices(mesh.complex())) {
+            if (!mesh.complex().is_interface(v)) continue;
+            const double z = mesh.position(v).z();
+            REQUIRE(std::min(std::abs(z - 1 - step * shift), std::abs(z - 2 - step * shift)) < 1e-12);
+        }
+    }
+    CHECK(interface_triangles(mesh.complex()) == triangles);
+    CHECK(volume_of_label(mesh, 1) == Approx(36).epsilon(1e-12));
+    CHECK(volume_of_label(mesh, 0) == Approx(72).epsilon(1e-12));
 }
 
 TEST_CASE("a ball that goes once around is where it was, with its triangles, in good tetrahedra") {
