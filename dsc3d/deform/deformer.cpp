@@ -100,7 +100,8 @@ StepReport Deformer::step(std::span<const std::optional<Point3>> targets, const 
 // Further substeps of those vertices only that have not come to their targets, until that moves them no more.
 void Deformer::retry_late_ones(PassContext& context, int substep) {
     const std::vector<TetId> others(region_.tets().begin(), region_.tets().end());
-    for (int stalls = 0; stalls < 2 && context.report.substeps < substep + parameters_.max_substeps;) {
+    for (int stalls = 0;
+         stalls < parameters_.max_stalls && context.report.substeps < substep + parameters_.max_substeps;) {
         release_arrived();
         if (moving_.empty()) break;
         region_.clear();

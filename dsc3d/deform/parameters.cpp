@@ -21,6 +21,7 @@ void DeformParameters::validate() const {
     require(crumb_volume >= 0, "crumb_volume", "at least 0");
     require(stride > 0, "stride", "positive");
     require(max_substeps >= 1, "max_substeps", "at least 1");
+    require(max_stalls >= 1, "max_stalls", "at least 1");
     require(stalling_share > 0 && stalling_share <= 1, "stalling_share", "in (0, 1]");
     require(approach > 0 && approach < 1, "approach", "in (0, 1)");
     require(carried_rings >= 0, "carried_rings", "at least 0");

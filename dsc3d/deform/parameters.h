@@ -42,8 +42,9 @@ struct DeformParameters {
     /// The way of a vertex in one substep. > 0.
     double stride = 0.5;
     /// Substeps beyond those that the stride asks for, before unfinished motion is reported. >= 1.
-    int max_substeps = 10;
-    /// ... and no more when a substep leaves this share of the way. In (0, 1].
+    int max_substeps = 40;
+    /// ... and no more than this many that leave the following share of the way. >= 1, in (0, 1].
+    int max_stalls = 3;
     double stalling_share = 0.9;
     /// Share of the way to the link that a blocked vertex makes. In (0, 1).
     double approach = 0.9;
