@@ -228,7 +228,7 @@ TEST_CASE("balls that are driven into each other are stopped where they may not 
         Deformer deformer(mesh, {.edge_length = 0.12, .topology = policy});
         REQUIRE(components_of_label(mesh.complex(), 1) == 2);
         std::size_t stopped = 0, contacts = 0;
-        for (int step = 0; step < 4; ++step) {
+        for (int step = 0; step < 6; ++step) {
             const Targets targets = targets_of(mesh, drive_together);
             const StepReport report = deformer.step(targets);
             bool all_locked = true;
