@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "apps/flow/run_steps.h"
@@ -14,34 +15,49 @@ namespace dsc::flow {
 
 namespace {
 
-void require_places(const dsc3d::Mesh& mesh, const std::vector<std::optional<Point3>>& targets, double time) {
+// What is on a wall slides on it, wherever its target is.
+void require_places(const dsc3d::Mesh& mesh, const std::vector<std::optional<Point3>>& targets,
+                    const Eigen::AlignedBox3d& domain, double time) {
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
-        if (!targets[i] || targets[i]->allFinite()) continue;
+        if (!targets[i]) continue;
+        const bool is_finite = targets[i]->allFinite();
+        if (is_finite && (domain.contains(*targets[i]) || mesh.complex().is_boundary(dsc3d::VertexId(i)))) continue;
         const Point3& p = mesh.position(dsc3d::VertexId(i));
-        throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is not finite at time {}",
-                                         i, p.x(), p.y(), p.z(), io::number_text(time, 6)));
+        throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}, {:.6g}) {} at time {}", i, p.x(),
+                                         p.y(), p.z(), is_finite ? "leads out of the domain" : "is not finite",
+                                         io::number_text(time, 6)));
     }
 }
 
 class EventList final : public dsc3d::Listener {
 public:
+    explicit EventList(const core::Observer& observer) : observer_(observer) {}
     void on_event(const dsc3d::Event& event) override { events_.push_back(event); }
+    void on_substep(int substep, int wanted) override {
+        share_ = std::min(1.0, static_cast<double>(substep) / wanted);
+        observer_.check_cancelled();
+    }
+    /// Of the step, that has been made.
+    double share() const { return share_; }
     std::vector<dsc3d::Event> taken() { return std::exchange(events_, {}); }
 
 private:
+    const core::Observer& observer_;
     std::vector<dsc3d::Event> events_;
+    double share_ = 0;
 };
 
 class Run {
 public:
     Run(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets, Snapshots& snapshots,
-        FlowResult& result, Checkpoints* checkpoints)
+        const core::Observer& observer, FlowResult& result, Checkpoints* checkpoints)
         : mesh_(mesh),
           parameters_(parameters),
           targets_(targets),
           snapshots_(snapshots),
           result_(result),
-          checkpoints_(checkpoints) {
+          checkpoints_(checkpoints),
+          events_(observer) {
         if (checkpoints_ && checkpoints_->state()) {
             equip(*checkpoints_->state());
         } else {
@@ -65,19 +81,20 @@ public:
         const double start = result_.time.time(step - 1), time = result_.time.time(step);
         watch = {};
         const StepMotion wanted = targets_(mesh_, start, time - start);
-        require_places(mesh_, wanted.targets, start);
+        require_places(mesh_, wanted.targets, result_.domain, start);
         milliseconds.emplace_back("targets", 1e3 * watch.seconds());
         watch = {};
         deformer_->set_edge_lengths(wanted.edge_lengths);
-        const dsc3d::StepReport report = deformer_->step(wanted.targets, wanted.path);
+        dsc3d::StepReport report;
+        try {
+            report = deformer_->step(wanted.targets, wanted.path);
+        } catch (const core::Cancelled&) {
+            report.is_complete = false;
+            if (events_.share() > 0) add_record(report, step, start + events_.share() * (time - start), milliseconds);
+            throw;
+        }
         milliseconds.emplace_back("deform", 1e3 * watch.seconds());
-        watch = {};
-        StepRecord record = step_record(mesh_, step, time, *unchanged_);
-        add_step(record, report);
-        add_events(report, step, time);
-        milliseconds.emplace_back("measure", 1e3 * watch.seconds());
-        record.milliseconds = std::move(milliseconds);
-        result_.steps.push_back(std::move(record));
+        add_record(report, step, time, milliseconds);
     }
 
     void keep(const StepRecord& record) { snapshots_.add(mesh_, record.step, record.time); }
@@ -119,6 +136,17 @@ private:
         components_.emplace(mesh_);
     }
 
+    void add_record(const dsc3d::StepReport& report, int step, double time,
+                    std::vector<std::pair<std::string, double>>& milliseconds) {
+        const core::Stopwatch watch;
+        StepRecord record = step_record(mesh_, step, time, *unchanged_);
+        add_step(record, report);
+        add_events(report, step, time);
+        milliseconds.emplace_back("measure", 1e3 * watch.seconds());
+        record.milliseconds = std::move(milliseconds);
+        result_.steps.push_back(std::move(record));
+    }
+
     void add_events(const dsc3d::StepReport& report, int step, double time) {
         const auto add = [&](const char* kind, const Point3& place, int label) {
             result_.events.push_back({.kind = kind, .step = step, .time = time, .place = place, .label = label});
@@ -146,7 +174,7 @@ private:
 
 void run_flow(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets,
               Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints) {
-    Run run(mesh, parameters, targets, snapshots, result, checkpoints);
+    Run run(mesh, parameters, targets, snapshots, observer, result, checkpoints);
     run_steps(result, run, observer);
     run.save();
     snapshots.add_last(mesh, result.steps.back().step, result.steps.back().time);

@@ -162,7 +162,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.choice("--topology", texts.topology, all_names(topology_names),
                 "what may happen where the interface meets itself");
     line.integer("--dimension", options.dimension, "2 or 3", {.at_least = 2, .at_most = 3});
-    line.text("--sizing", options.sizing, "edge lengths: uniform, curvature, thickness, or an expression in x, y, z");
+    line.text(
+        "--sizing", options.sizing,
+        "edge lengths: uniform, curvature, thickness, or an expression in x, y, z, t: lengths up to --edge-length");
     line.heading("Output");
     line.integer("--snapshots", options.snapshots, "of the interface in series.pvd and index.html, evenly spaced",
                  {.at_least = 0, .at_most = 10000});

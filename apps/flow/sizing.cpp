@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/flow/sizing.h"
 
+#include <functional>
 #include <utility>
+#include <vector>
 
+#include "core/errors.h"
 #include "dsc3d/interface.h"
+#include "io/number.h"
 #include "motion/expression_field.h"
 #include "surface/sizing.h"
 
@@ -12,10 +16,13 @@ namespace dsc::flow {
 namespace {
 
 constexpr double least_share = 0.25;  ///< of the edge length, by curvature and thickness
-constexpr double max_turn = 20;       ///< of the surface along an edge, by curvature [degree]
-constexpr double edges_across = 1;    ///< what is enclosed, by thickness
+constexpr double least_share_of_field = 0.01;
+constexpr double max_turn = 20;     ///< of the surface along an edge, by curvature [degree]
+constexpr double edges_across = 1;  ///< what is enclosed, by thickness
 
-surface::SizingParameters parameters_of(const std::string& text, double edge_length) {
+using Parameters = std::function<surface::SizingParameters(double time)>;
+
+Parameters parameters_of(const std::string& text, double edge_length) {
     surface::SizingParameters parameters{.length = edge_length, .min_length = least_share * edge_length};
     if (text == "curvature") {
         parameters.max_turn = max_turn;
@@ -24,10 +31,24 @@ surface::SizingParameters parameters_of(const std::string& text, double edge_len
     } else {
         // A velocity whose first coordinate is the length.
         const motion::VelocityField<3> field = motion::expression_field<3>("(" + text + ", 0, 0)", "--sizing");
-        parameters.field = [field](const geometry::Point3& p) { return field(p, 0).x(); };
-        parameters.min_length = 0.01 * edge_length;
+        parameters.min_length = least_share_of_field * edge_length;
+        return [parameters, field](double time) mutable {
+            parameters.field = [field, time](const geometry::Point3& p) { return field(p, time).x(); };
+            return parameters;
+        };
     }
-    return parameters;
+    return [parameters](double) { return parameters; };
+}
+
+// What the user's lengths are at the start is usage; later on it ends a run that has a good state.
+std::vector<double> lengths_at(const geometry::SurfaceData& surface, const surface::SizingParameters& parameters,
+                               double time) {
+    try {
+        return surface::wanted_lengths(surface, parameters);
+    } catch (const core::UsageError& error) {
+        if (time == 0) throw core::UsageError(std::string("--") + error.what());
+        throw core::RunError("--" + std::string(error.what()) + " at time " + io::number_text(time, 6));
+    }
 }
 
 }  // namespace
@@ -38,7 +59,7 @@ Targets with_sizing(Targets motion, const std::string& text, double edge_length)
                                                                                        double time, double dt) {
         StepMotion step = motion(mesh, time, dt);
         const dsc3d::Interface interface(mesh);
-        const std::vector<double> lengths = surface::wanted_lengths(interface.data.surface, parameters);
+        const std::vector<double> lengths = lengths_at(interface.data.surface, parameters(time), time);
         step.edge_lengths.resize(mesh.complex().vertex_capacity());
         for (std::size_t i = 0; i < lengths.size(); ++i) step.edge_lengths[interface.vertices[i].index()] = lengths[i];
         return step;

@@ -34,8 +34,7 @@ std::vector<std::optional<Point3>> placed(const dsc3d::Mesh& mesh, const dsc3d::
                                           const std::vector<Point3>& positions) {
     std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const dsc3d::VertexId v = interface.vertices[i];
-        if (!mesh.complex().is_boundary(v)) targets[v.index()] = positions[i];
+        targets[interface.vertices[i].index()] = positions[i];
     }
     return targets;
 }

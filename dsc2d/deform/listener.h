@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a caller may want to know while a step runs: where the interface got a vertex, lost one, was stopped or joined.
-// Handles are valid during the call and, unless the element is removed later, until Complex::compact().
+// The reports of a step, and who listens to it, in the plane: see motion/listener.h.
 #pragma once
 
-#include "dsc2d/complex.h"
-#include "motion/step_report.h"
-#include "motion/topology.h"
+#include "motion/listener.h"
 
 namespace dsc::dsc2d {
 
 using Contact = motion::Contact<2>;
 using Event = motion::Event<2>;
 using StepReport = motion::StepReport<2>;
-
-class Listener {
-public:
-    virtual ~Listener() = default;
-
-    /// The interface edge from a to b got the vertex m at parameter s (0 at a, 1 at b).
-    virtual void on_interface_split(VertexId m, VertexId a, VertexId b, double s) {
-        static_cast<void>(m), static_cast<void>(a), static_cast<void>(b), static_cast<void>(s);
-    }
-    /// The interface vertex `removed` is about to be merged into `kept`.
-    virtual void on_interface_collapse(VertexId removed, VertexId kept) {
-        static_cast<void>(removed), static_cast<void>(kept);
-    }
-    virtual void on_contact(const Contact& contact) { static_cast<void>(contact); }
-    virtual void on_event(const Event& event) { static_cast<void>(event); }
-};
+using Listener = motion::Listener<2>;
 
 }  // namespace dsc::dsc2d

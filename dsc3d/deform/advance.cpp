@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sort_unique.h"
+
 namespace dsc::dsc3d {
 
 Advance::Advance(const Mesh& mesh)
@@ -115,8 +117,7 @@ void Advance::hold_back(RatedMesh& mesh, const AdvanceParameters& parameters) {
                     if (!judge(s)) next.push_back(s);
             }
         }
-        std::sort(next.begin(), next.end());
-        next.erase(std::unique(next.begin(), next.end()), next.end());
+        core::sort_unique(next);
         waiting.swap(next);
     }
 }

@@ -94,7 +94,8 @@ void Contacts::fill_notches(PassContext& context, std::size_t first_touched, int
         const std::span<const TetId> star = context.mesh.walker().star(touched_[i]);
         std::vector<TetId> notches;
         std::copy_if(star.begin(), star.end(), std::back_inserter(notches), is_notch);
-        for (const TetId t : notches) give(context, t, winner);
+        for (const TetId t : notches)
+            if (may_give_way(context, t)) give(context, t, winner);
     }
 }
 
@@ -102,7 +103,8 @@ void Contacts::open_pinches(PassContext& context, std::size_t first_touched, int
     for (std::size_t i = first_touched; i < touched_.size(); ++i) {
         for (;;) {
             const std::span<const TetId> more = pinches_.find(context, touched_[i], winner, loser);
-            if (more.empty()) break;
+            const auto may_go = [&](TetId t) { return may_give_way(context, t); };
+            if (more.empty() || !std::all_of(more.begin(), more.end(), may_go)) break;
             for (const TetId t : more) give(context, t, winner);
         }
     }
@@ -162,7 +164,8 @@ void Contacts::absorb_crumbs(PassContext& context, int loser) {
                     if (next.is_valid() && complex.label(next) == loser && seen_.add(next)) crumb.push_back(next);
                 }
             }
-            if (volume > largest) continue;
+            const auto may_go = [&](TetId c) { return may_give_way(context, c); };
+            if (volume > largest || !std::all_of(crumb.begin(), crumb.end(), may_go)) continue;
             for (const TetId c : crumb) give(context, c, complex.label(t));
         }
     }
@@ -187,12 +190,14 @@ void Contacts::report_held(PassContext& context) {
         const auto facing = facing_sheets(context, t, context.parameters.gap_width);
         if (!facing || !is_closing(context, *facing)) continue;
         const Point3 &a = context.mesh.position(facing->a), &b = context.mesh.position(facing->b);
-        context.report.contacts.push_back({.a = facing->a,
-                                           .b = facing->b,
-                                           .place = 0.5 * (a + b),
-                                           .lattice = Eigen::Vector3i::Zero(),
-                                           .gap = (b - a).norm(),
-                                           .label = complex.label(t)});
+        const Contact contact{.a = facing->a,
+                              .b = facing->b,
+                              .place = 0.5 * (a + b),
+                              .lattice = Eigen::Vector3i::Zero(),
+                              .gap = (b - a).norm(),
+                              .label = complex.label(t)};
+        context.listener.on_contact(contact);
+        context.report.contacts.push_back(contact);
     }
 }
 

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dsc3d/deform/deformer.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "core/assert.h"
 #include "core/errors.h"
+#include "dsc3d/deform/move_to_link.h"
 
 namespace dsc::dsc3d {
 
 namespace {
+
+const DeformParameters& validated(const DeformParameters& parameters) {
+    parameters.validate();
+    return parameters;
+}
 
 Listener& silent_listener() {
     static Listener listener;  // has no state
     return listener;
 }
 
-double signed_volume(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-    return (b - a).dot((c - a).cross(d - a)) / 6;
-}
-
 }  // namespace
 
 Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& listener)
     : mesh_(mesh),
-      parameters_(parameters),
+      parameters_(validated(parameters)),
       listener_(listener),
       rated_(mesh, geometry::QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh)),
       wanted_length_(mesh, parameters.edge_length, parameters.growth),
@@ -40,7 +40,6 @@ Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& lis
       target_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       way_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       is_moving_(mesh.complex().vertex_attributes(), 0) {
-    parameters_.validate();
     StepReport report;
     interface_control_.accept(context(report));
 }
@@ -73,6 +72,8 @@ std::vector<double> Deformer::edge_lengths() const {
 void Deformer::restore_edge_lengths(std::span<const double> lengths) {
     DSC_ASSERT(lengths.size() == mesh_.complex().vertex_capacity());
     for (std::uint32_t i = 0; i < lengths.size(); ++i) wanted_length_.set(VertexId(i), lengths[i]);
+    StepReport report;
+    interface_control_.accept(context(report));
 }
 
 StepReport Deformer::step(std::span<const std::optional<Point3>> targets) { return step(targets, nullptr); }
@@ -85,6 +86,7 @@ StepReport Deformer::step(std::span<const std::optional<Point3>> targets, const 
     PassContext context = this->context(report);
     const int wanted = moving_.empty() ? 0 : wanted_substeps(path);
     for (int substep = 0; substep < wanted && !moving_.empty(); ++substep) {
+        listener_.on_substep(substep, wanted);
         aim((substep + 1.0) / wanted, path);
         move_vertices_step(report);
         maintain(context);
@@ -104,6 +106,7 @@ void Deformer::retry_late_ones(PassContext& context, int substep) {
          stalls < parameters_.max_stalls && context.report.substeps < substep + parameters_.max_substeps;) {
         release_arrived();
         if (moving_.empty()) break;
+        listener_.on_substep(context.report.substeps, substep);
         region_.clear();
         aim(1, nullptr);
         const double before = way_left();
@@ -121,11 +124,15 @@ void Deformer::retry_late_ones(PassContext& context, int substep) {
     region_.settle(mesh_.complex());
 }
 
+void Deformer::release(VertexId v) {
+    is_moving_[v] = 0;
+    way_[v].setZero();
+}
+
 void Deformer::release_arrived() {
     std::erase_if(moving_, [&](VertexId v) {
         if (mesh_.position(v) != goal_[v]) return false;
-        is_moving_[v] = 0;
-        way_[v].setZero();
+        release(v);
         return true;
     });
 }
@@ -148,8 +155,10 @@ void Deformer::set_targets(std::span<const std::optional<Point3>> targets) {
     const Complex& complex = mesh_.complex();
     if (targets.size() > complex.vertex_capacity()) throw core::UsageError("step: more targets than vertices");
     region_.clear();
+    for (const VertexId v : moving_) release(v);  // of a step that was ended
     moving_.clear();
     stopped_.clear();
+    held_at_wall_.clear();
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
         if (!targets[i]) continue;
         const VertexId v(i);
@@ -161,6 +170,7 @@ void Deformer::set_targets(std::span<const std::optional<Point3>> targets) {
         if (!targets[i]->allFinite()) refuse("it is not finite");
         start_[v] = mesh_.position(v);
         goal_[v] = at_wall(v, *targets[i]);
+        if (goal_[v] == mesh_.position(v) && goal_[v] != *targets[i]) held_at_wall_.emplace_back(v, *targets[i]);
         moving_.push_back(v);
     }
     for (const VertexId v : moving_) is_moving_[v] = 1;
@@ -175,7 +185,10 @@ int Deformer::wanted_substeps(const Path& path) const {
     double longest = 1;
     for (const VertexId v : moving_)
         longest = std::max(longest, length_of_way(v, path) / (parameters_.stride * wanted_length_.at(v)));
-    return static_cast<int>(std::ceil(std::min(longest, 1e6) * (1 - 1e-9)));
+    if (longest > parameters_.most_substeps)
+        throw core::RunError("a step is too long: it would take more than " +
+                             std::to_string(parameters_.most_substeps) + " substeps; take shorter ones");
+    return static_cast<int>(std::ceil(longest * (1 - 1e-9)));
 }
 
 double Deformer::length_of_way(VertexId v, const Path& path) const {
@@ -217,40 +230,14 @@ void Deformer::move_vertices_step(StepReport& report) {
                  {.least_quality = parameters_.stopping_quality, .carried_rings = parameters_.carried_rings});
     region_.add(advance_.region());
     for (const VertexId v : moving_) {
-        const bool has_arrived = mesh_.position(v) == target_[v] || move_one(v);
+        const bool has_arrived =
+            mesh_.position(v) == target_[v] ||
+            move_to_link(rated_, v, target_[v],
+                         {.least_quality = parameters_.stopping_quality, .approach = parameters_.approach});
         report.counts.moves += has_arrived ? 1 : 0;
         report.counts.blocked_moves += has_arrived ? 0 : 1;
     }
     region_.settle(mesh_.complex());
-}
-
-// The share of the way to its target at which v meets the plane of a face of its link, or more than 1.
-double Deformer::share_to_link(std::span<const TetId> star, VertexId v, const Point3& target) const {
-    double share = std::numeric_limits<double>::infinity();
-    for (const TetId t : star) {
-        const FaceVertices face = mesh_.complex().oriented_face(t, mesh_.complex().index_of(t, v));
-        const Point3 &b = mesh_.position(face[0]), &c = mesh_.position(face[1]), &d = mesh_.position(face[2]);
-        const double here = signed_volume(mesh_.position(v), b, c, d), there = signed_volume(target, b, c, d);
-        if (there < here) share = std::min(share, here / (here - there));
-    }
-    return share;
-}
-
-// True when v is at its target.
-bool Deformer::move_one(VertexId v) {
-    const std::span<const TetId> star = rated_.walker().star(v);
-    const Point3 start = mesh_.position(v), target = target_[v];
-    const double least = std::min(rated_.worst_quality(star), parameters_.stopping_quality);
-    const auto try_share = [&](double share) {
-        const Point3 place = share == 1 ? target : Point3(start + share * (target - start));
-        return rated_.move(v, place, star, least);
-    };
-    const double to_link = share_to_link(star, v, target);
-    if (to_link > 1 && try_share(1)) return true;
-    bool is_moved = false;
-    for (double share = parameters_.approach * std::min(to_link, 1.0); !is_moved && share > 0.05; share *= 0.5)
-        is_moved = try_share(share);
-    return false;
 }
 
 // Algorithm 4, step 10.
@@ -270,8 +257,7 @@ void Deformer::treat_contacts(PassContext& context, int substep, double distance
         for (const VertexId v : contacts_.touched()) {
             region_.add_star(rated_, v);
             if (is_moving_[v] == 0) continue;
-            is_moving_[v] = 0;
-            way_[v].setZero();
+            release(v);
             stopped_.push_back(v);
         }
         region_.settle(mesh_.complex());
@@ -292,11 +278,10 @@ void Deformer::report_unfinished(PassContext& context) {
         report.unfinished.push_back({v, goal_[v] - mesh_.position(v), is_locked});
         report.is_complete = report.is_complete && is_locked;
     }
+    for (const auto& [v, target] : held_at_wall_)
+        if (mesh_.complex().is_interface(v)) report.unfinished.push_back({v, target - mesh_.position(v), true});
     Contacts::report_held(context);
-    for (const VertexId v : moving_) {
-        is_moving_[v] = 0;
-        way_[v].setZero();
-    }
+    for (const VertexId v : moving_) release(v);
     moving_.clear();
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3D deformation step: moves vertices of the interface to their targets through valid complexes only.
 // Source: thesis 4.3, algorithms 4 and 5; 4.3.2. Guarantee: after every single operation all tetrahedra are positive by
-// exact predicate; the outer boundary stays; motion that was not made is reported. Where parts of the interface meet,
-// they merge, split or are stopped, as the topology policy says. Same input, same bits. Cost: linear in the stars of
-// what moves, not in the mesh.
+// exact predicate; the outer boundary keeps its shape; motion that was not made is reported. Where parts of the
+// interface meet, they merge, split or are stopped, as the topology policy says. Same input, same bits. Cost: linear in
+// the stars of what moves, not in the mesh.
 //
 //     dsc3d::Deformer deformer(mesh, {.edge_length = 0.05});
 //     std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
@@ -14,6 +14,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/attribute.h"
@@ -45,8 +46,9 @@ public:
     void restore_edge_lengths(std::span<const double> lengths);
 
     /// Moves every vertex that has a target (indexed by vertex, missing entries mean none) straight to it; one on the
-    /// boundary goes along it, to the place nearest to its target. Throws core::UsageError when a deleted vertex or one
-    /// off the interface has a target, or a target is not finite.
+    /// boundary goes along it, to the place nearest to its target, and is reported as held where that is its own place.
+    /// Throws core::UsageError when a deleted vertex or one off the interface has a target, or a target is not finite,
+    /// and core::RunError when a way would take too many substeps; nothing has moved then.
     StepReport step(std::span<const std::optional<Point3>> targets);
     /// ... along a path, which ends at the targets: substeps follow it, so that a turning body is never squeezed.
     StepReport step(std::span<const std::optional<Point3>> targets, const Path& path);
@@ -62,10 +64,9 @@ private:
     double way_left() const;
     double length_of_way(VertexId v, const Path& path) const;
     void retry_late_ones(PassContext& context, int substep);
+    void release(VertexId v);
     void release_arrived();
     void move_vertices_step(StepReport& report);
-    bool move_one(VertexId v);
-    double share_to_link(std::span<const TetId> star, VertexId v, const Point3& target) const;
 
     PassContext context(StepReport& report);
     void maintain(PassContext& context);
@@ -90,8 +91,9 @@ private:
     core::Attribute<VertexId, Point3> target_;  ///< of the substep
     core::Attribute<VertexId, Point3> way_;     ///< to it, from where the vertex was at the start of the substep
     core::Attribute<VertexId, std::uint8_t> is_moving_;
-    std::vector<VertexId> moving_;   ///< have a goal they have not reached
-    std::vector<VertexId> stopped_;  ///< by a contact
+    std::vector<VertexId> moving_;                           ///< have a goal they have not reached
+    std::vector<std::pair<VertexId, Point3>> held_at_wall_;  ///< with their targets, which lie off the wall
+    std::vector<VertexId> stopped_;                          ///< by a contact
 };
 
 }  // namespace dsc::dsc3d

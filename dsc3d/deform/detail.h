@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Detail control off the interface: edges that are too long are halved, so that there are vertices that can give way;
 // edges that are too short are collapsed. Source: thesis 4.3.2.1 ("detail control"; edges that join the interface to
-// itself or to the boundary). Guarantee: the surface stays. Cost: linear in the region.
+// itself or to the boundary). Guarantee: interfaces stay, the boundary is
+// divided anew only where it is flat. Cost: linear in the region.
 #pragma once
 
 #include "dsc3d/deform/pass_context.h"

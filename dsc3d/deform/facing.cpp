@@ -57,9 +57,6 @@ std::optional<Facing> across_normals(PassContext& context, TetId t, double dista
     return nearest;
 }
 
-// In a groove of the region an edge may go from side to side too, but hardly a shorter one.
-constexpr double chord_share = 0.5;
-
 // The shortest edge inside, or the longest edge of the narrowest face.
 std::optional<Facing> waist(const PassContext& context, TetId t, double distance) {
     const Complex& complex = context.complex();
@@ -70,7 +67,7 @@ std::optional<Facing> waist(const PassContext& context, TetId t, double distance
         const auto [a, b] = complex.vertices(e);
         if (complex.is_surface(e)) continue;
         const double gap = context.length(e);
-        if (gap < (narrowest ? narrowest->gap : chord_share * near)) narrowest = {a, b, gap};
+        if (gap < (narrowest ? narrowest->gap : context.parameters.waist_share * near)) narrowest = {a, b, gap};
     }
     for (const FaceId f : complex.faces(t)) {
         if (complex.is_surface(f)) continue;

@@ -16,7 +16,7 @@ namespace dsc::dsc3d {
 /// Two vertices of a tetrahedron on sheets that face each other.
 struct Facing {
     VertexId a, b;
-    double gap;  ///< of the sheets' planes at the vertices, the wider one
+    double gap;  ///< of the sheets' planes at the vertices, the wider one; at a waist its width
 };
 
 /// The nearest sheets across t that are closer than `distance`, in units of the least edge length wanted at t. None at

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Improvement of the interface as a surface: short edges are collapsed, long ones split, edges between ill-shaped
 // triangles flipped, vertices smoothed within the surface. Source: thesis 4.3.2.2; the decisions are those of surface/.
-// Guarantee: topology stays; features stay; no tetrahedron becomes worse than `interface_quality`, or than it is.
-// Vertices on the boundary of the domain, and what has been good before, stay. Cost: linear in the region.
+// Guarantee: topology stays; so do features, but for edges and triangles too small to mean anything, which go whatever
+// that does to the shape (4.3.2.1, degeneracy removal); but for splits, no tetrahedron becomes worse than
+// `interface_quality`, or than it is. Vertices on the boundary of the domain stay, and edges whose relative length has
+// not changed since they were looked at last, so that what moves rigidly keeps its triangles. Cost: linear in the
+// region.
 #pragma once
 
 #include "dsc3d/deform/interface_ring.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wanted edge length at every vertex: on the interface what the caller asks for, off it growing with the distance
 // along the edges. Source: thesis 4.3.2.1 (detail control); gradation: Borouchaki, Hecht, Frey, "Mesh gradation
-// control" (1998). Guarantee: between the ends of an edge of length l it differs by growth * l at most, after what has
-// moved was updated. Cost: construction linear in the edges, times the rings between interface and boundary; an update
-// linear in the stars of the vertices.
+// control" (1998). Guarantee: off the interface it is at most that of a neighbour and growth times the
+// distance, after what has moved was updated. Cost: construction linear in the edges, times the rings between interface
+// and boundary; an update linear in the stars of the vertices.
 #pragma once
 
 #include <span>

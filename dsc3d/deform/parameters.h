@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All thresholds of the 3D deformation. Lengths are in units of the wanted edge length at the place, qualities are
-// minimum sines of dihedral angles: 0.26 for an angle of 15 degrees.
-// Source: thesis 4.3.1, 4.3.2.
+// The thresholds of the 3D deformation; small ones of a single pass stand with it. Lengths are in units of the wanted
+// edge length at the place, qualities are minimum sines of dihedral angles: 0.26 for an angle of 15 degrees. Source:
+// thesis 4.3.1, 4.3.2.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,9 @@ struct DeformParameters {
     double contact_distance = 0.25;
     /// ... if the cosine of the angle between their normals is below this. In (-1, 0).
     double contact_cosine = -0.3;
+    /// A waist is squeezed away where an edge across it is shorter than this share of the distance: in a groove an edge
+    /// may go from side to side too, but hardly a shorter one. In (0, 1].
+    double waist_share = 0.5;
     /// The region between them is squeezed away where it is thinner than this, >= contact_distance,
     double gap_width = 0.5;
     /// ... and this near to the place where they met. >= 0.
@@ -41,6 +44,8 @@ struct DeformParameters {
     // Motion
     /// The way of a vertex in one substep. > 0.
     double stride = 0.5;
+    /// Steps that would take more substeps are refused. >= 1.
+    int most_substeps = 100000;
     /// Substeps beyond those that the stride asks for, before unfinished motion is reported. >= 1.
     int max_substeps = 40;
     /// ... and no more than this many that leave the following share of the way. >= 1, in (0, 1].
@@ -63,7 +68,7 @@ struct DeformParameters {
     int upkeep_rounds = 10;
     /// Random attempts to escape from one bad tetrahedron. >= 0.
     int escape_attempts = 20;
-    /// ... but in a step not more in all than this, and this share of the tetrahedra that have changed. >= 0.
+    /// ... but not more in all, each time, than this and this share of the tetrahedra that have changed. >= 0.
     int least_escapes = 20;
     double escape_share = 0.01;
     /// Edges shorter than this get no vertex for the sake of quality: thin parts would be filled with ever smaller

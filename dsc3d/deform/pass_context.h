@@ -34,7 +34,7 @@ struct PassContext {
     /// The length of e over the mean of the lengths wanted at its ends.
     double relative_length(EdgeId e) const {
         const auto [a, b] = complex().vertices(e);
-        return 2 * length(e) / (wanted_length.at(a) + wanted_length.at(b));
+        return surface::relative_length(length(e), wanted_length.at(a), wanted_length.at(b));
     }
     double volume(TetId t) const {
         const TetVertices& v = complex().vertices(t);

@@ -2,8 +2,9 @@
 // Mesh improvement where it is needed: the poor tetrahedra of the region are smoothed, retriangulated or thinned until
 // none is left or nothing helps; those that hill climbing leaves bad are escaped from, or get a vertex of their own.
 // Source: thesis 4.3.2.1 ("mesh quality improvement" of the active set) with the operations of chapter 3; 3.6 for
-// escapes. Guarantee: no operation makes the worst tetrahedron it touches worse; no vertex of the surface moves or
-// goes. Cost: linear in the number of poor tetrahedra.
+// escapes. Guarantee: no operation makes the worst tetrahedron it touches worse; no vertex of an interface moves or
+// goes, and those of the boundary only within its planes and along its straight ridges. Cost: linear in the number of
+// poor tetrahedra.
 #pragma once
 
 #include <cstdint>

@@ -285,10 +285,14 @@ FlatSurface FlatSurface::flat_boundary(const Mesh& mesh) {
     return surface;
 }
 
-FlatSurface::Freedom FlatSurface::freedom_between(const Point3& a, const Point3& b, std::int32_t first_patch,
-                                                  std::int32_t second_patch) {
-    if (first_patch == second_patch) return {VertexMotion::plane, first_patch};
-    lines_.push_back({a, (b - a).normalized()});
+FlatSurface::Freedom FlatSurface::freedom_between(const std::array<Point3, 2>& places,
+                                                  const std::array<Freedom, 2>& freedoms,
+                                                  const std::array<std::int32_t, 2>& patches) {
+    if (patches[0] == patches[1]) return {VertexMotion::plane, patches[0]};
+    // A vertex of a line has no other ridge.
+    for (const Freedom& freedom : freedoms)
+        if (freedom.motion == VertexMotion::line) return freedom;
+    lines_.push_back({places[0], (places[1] - places[0]).normalized()});
     return {VertexMotion::line, static_cast<std::int32_t>(lines_.size()) - 1};
 }
 

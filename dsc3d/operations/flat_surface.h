@@ -64,8 +64,9 @@ public:
     }
     const Freedom& freedom(VertexId v) const { return freedom_[v]; }
     void set_freedom(VertexId v, const Freedom& freedom) { freedom_[v] = freedom; }
-    /// The freedom of a new vertex on the boundary edge from a to b, between faces of these patches.
-    Freedom freedom_between(const Point3& a, const Point3& b, std::int32_t first_patch, std::int32_t second_patch);
+    /// The freedom of a new vertex on the boundary edge of these places and freedoms, between faces of these patches.
+    Freedom freedom_between(const std::array<Point3, 2>& places, const std::array<Freedom, 2>& freedoms,
+                            const std::array<std::int32_t, 2>& patches);
     /// `step` reduced to a direction in which v may move.
     Eigen::Vector3d allowed(VertexId v, const Eigen::Vector3d& step) const;
     /// `position` put back on the plane or segment of v, whose rounding errors would add up otherwise.

@@ -168,7 +168,9 @@ void RatedMesh::add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& p
     const std::int32_t first = patch(ring.tets[0], ring.link[1]), last = patch(ring.tets[n - 1], ring.link[n - 1]);
     for (const auto& [corner, of_face] : {std::pair(ring.link[0], first), std::pair(ring.link[n], last)})
         for (const VertexId end : {ring.a, ring.b}) parts.surface.push_back({{end, m, corner}, of_face});
-    surface_.set_freedom(m, surface_.freedom_between(position(ring.a), position(ring.b), first, last));
+    surface_.set_freedom(m,
+                         surface_.freedom_between({position(ring.a), position(ring.b)},
+                                                  {surface_.freedom(ring.a), surface_.freedom(ring.b)}, {first, last}));
 }
 
 void RatedMesh::set_label(TetId t, int label) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "apps/flow/initial_mesh.h"
+#include "apps/flow/sizing.h"
 #include "apps/flow/targets.h"
 #include "core/errors.h"
 #include "dsc3d/generate/fit.h"
@@ -136,6 +137,41 @@ TEST_CASE("a run that is stopped keeps the steps made, and one whose targets are
     CHECK_THAT(run.result.reason, Catch::Contains("vertex") && Catch::Contains("not finite"));
     CHECK(run.result.steps.size() == 3);
     CHECK(run.folder.content().size() == 3);
+}
+
+TEST_CASE("a motion out of the domain, and a size that stops being one, end a run in its last good state") {
+    core::Observer observer;
+    {
+        Run run(10);
+        const MotionOptions motion{.motion = Motion::translate, .velocity = Point3(1, 0, 0)};
+        run.go(motion_targets(motion, run.result.domain, 1), observer);
+        CHECK(run.result.end == FlowEnd::stopped);
+        CHECK_THAT(run.result.reason, Catch::Contains("vertex") && Catch::Contains("out of the domain"));
+        CHECK(run.result.steps.back().labels[1].volume ==
+              Approx(run.result.steps.front().labels[1].volume).epsilon(0.01));
+    }
+    Run run(10);
+    const MotionOptions motion{.motion = Motion::translate, .velocity = Point3(0.2, 0, 0)};
+    const Targets targets = motion_targets(motion, run.result.domain, 1);
+    CHECK_THROWS_AS(run.go(with_sizing(targets, "0", 0.1), observer), core::UsageError);
+    Run later(10);
+    later.go(with_sizing(targets, "0.35 - t", 0.1), observer);
+    CHECK(later.result.end == FlowEnd::stopped);
+    CHECK_THAT(later.result.reason, Catch::Contains("--sizing") && Catch::Contains("at time 0.4"));
+    CHECK(later.result.steps.size() == 5);
+    CHECK(validate(*later.mesh).empty());
+}
+
+TEST_CASE("an interface is refined where shorter edges are wanted, and nearly keeps its volume") {
+    core::Observer observer;
+    Run run(6);
+    const MotionOptions motion{.motion = Motion::translate, .velocity = Point3(0.1, 0, 0)};
+    const Targets targets = motion_targets(motion, run.result.domain, 1);
+    const std::size_t before = dsc3d::Interface(*run.mesh).data.surface.triangles.size();
+    run.go(with_sizing(targets, "x < 0.55 ? 0.1 : 0.04", run.result.edge_length), observer);
+    REQUIRE(run.result.end == FlowEnd::done);
+    CHECK(run.result.steps.back().interface_faces > before + before / 2);
+    CHECK(run.result.steps.back().labels[1].volume == Approx(run.result.steps.front().labels[1].volume).epsilon(1e-3));
 }
 
 TEST_CASE("a run whose targets can't be computed ends in its last good state") {
