@@ -37,6 +37,12 @@ constexpr int steps_per_draw = 50;
 constexpr double scarce = 0.13;         // share of the domain below which a label is inflated
 constexpr double least_allowed = 0.10;  // share of the domain that every label has to keep
 constexpr double stride = 0.5;          // largest displacement of a step [edge length]
+constexpr double max_frequency = 2;     // of the noise: its shortest waves are 4.5 edges long
+
+// What a run of the full length has to reach.
+constexpr int least_events = 100;       // merges, and splits, when these are allowed
+constexpr double least_arrived = 0.99;  // of the vertices that no contact stops, when nothing may merge or split
+constexpr double most_growth = 1.5;     // of the resident memory, since a tenth of the steps
 
 struct SoakOptions {
     int steps = 10000;
@@ -124,6 +130,11 @@ Targets targets_of(const Mesh& mesh, const motion::VelocityField<3>& noise,
     throw core::RunError(fmt::format("step {}: {}", step, why));
 }
 
+// Share of the vertices with a target that no contact has stopped.
+double arrived(std::size_t targeted, std::size_t in_contact, std::size_t unfinished) {
+    return 1 - static_cast<double>(unfinished) / static_cast<double>(targeted - in_contact);
+}
+
 int soak(const SoakOptions& options) {
     Mesh mesh = start_mesh(options.labels);
     EventCounter events(0);
@@ -135,12 +146,13 @@ int soak(const SoakOptions& options) {
     std::vector<LabelStatistics> labels = label_statistics(mesh);
     const std::vector<LabelStatistics> first = labels;
     motion::VelocityField<3> noise;
-    std::size_t targeted = 0, in_contact = 0, unfinished = 0;
+    std::size_t targeted = 0, in_contact = 0, unfinished = 0, early_bytes = 0;
     double worst_angle = 180, seconds = 0;
     for (int step = 0; step < options.steps; ++step) {
         if (step % steps_per_draw == 0)
             noise = motion::curl_noise(
                 motion::CurlNoiseParameters<3>{.has_walls = true,
+                                               .max_frequency = max_frequency,
                                                .seed = static_cast<std::uint64_t>(options.seed) * 1000003 +
                                                        static_cast<std::uint64_t>(step / steps_per_draw)});
         const Targets targets = targets_of(mesh, noise, labels);
@@ -162,6 +174,7 @@ int soak(const SoakOptions& options) {
                 fail(step, fmt::format("label {} has {} components of genus {}", labels[i].label, labels[i].components,
                                        labels[i].genus));
         }
+        if (step == options.steps / 10) early_bytes = resident_bytes();
         const double angle = AngleRange(mesh).min * 180 / EIGEN_PI;
         worst_angle = std::min(worst_angle, angle);
         if ((step + 1) % std::max(1, options.steps / 20) != 0) continue;
@@ -171,12 +184,19 @@ int soak(const SoakOptions& options) {
             fmt::print("label {}: {:.3f} in {} of genus {}, ", label.label, label.volume, label.components,
                        label.genus);
         fmt::print("arrived {:.3f} %, in contact {:.3f} %, {:.1f} ms per step, {:.1f} MB\n",
-                   100.0 * (1 - static_cast<double>(unfinished) / static_cast<double>(targeted - in_contact)),
+                   100.0 * arrived(targeted, in_contact, unfinished),
                    100.0 * static_cast<double>(in_contact) / static_cast<double>(targeted), 1e3 * seconds / (step + 1),
                    static_cast<double>(resident_bytes()) / 1e6);
         std::fflush(stdout);
     }
     if (options.last) io::write_tet_mesh(*options.last, mesh.data());
+    if (static_cast<double>(resident_bytes()) > most_growth * static_cast<double>(early_bytes))
+        fail(options.steps, "memory grows");
+    if (options.topology == motion::TopologyPolicy::preserved) {
+        if (arrived(targeted, in_contact, unfinished) < least_arrived) fail(options.steps, "too many vertices lag");
+    } else if (options.steps >= SoakOptions().steps && std::min(events.merges, events.splits) < least_events) {
+        fail(options.steps, "too few merges or splits");
+    }
     return apps::exit_done;
 }
 

@@ -15,7 +15,8 @@ class Listener {
 public:
     virtual ~Listener() = default;
 
-    /// The interface edge from a to b got the vertex m at parameter s (0 at a, 1 at b).
+    /// The interface edge from a to b got the vertex m at parameter s (0 at a, 1 at b), or beside it where the
+    /// interface is curved.
     virtual void on_interface_split(core::VertexId m, core::VertexId a, core::VertexId b, double s) {
         static_cast<void>(m), static_cast<void>(a), static_cast<void>(b), static_cast<void>(s);
     }

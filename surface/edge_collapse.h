@@ -18,7 +18,7 @@ namespace dsc::surface {
 
 struct CollapseParameters {
     /// Edges that bend by more are ridges [degree]. In (0, 90).
-    double feature_angle = 30;
+    double feature_angle = 40;
     /// Largest turn of a triangle that is left [degree]. In (0, 90).
     double max_turn = 20;
     /// Least angle of the triangles that are left, unless they had a smaller one before [degree]. In [0, 60).

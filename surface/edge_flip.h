@@ -16,10 +16,10 @@ namespace dsc::surface {
 
 struct FlipParameters {
     /// Edges that bend by more stay [degree]. In (0, 90).
-    double feature_angle = 30;
+    double feature_angle = 40;
     /// Largest volume of the tetrahedron of the two triangles [longest edge cubed]; equilateral triangles that bend by
     /// an angle have sin(angle) / 8. In [0, 0.11].
-    double max_volume = 0.01;
+    double max_volume = 0.003;
     /// Distance of the two diagonals up to which the triangles are in one plane, whatever the normal of a needle says
     /// [longest edge]. >= 0.
     double coplanar_distance = 1e-9;

@@ -7,9 +7,9 @@ namespace dsc::surface {
 
 struct EdgeLengthParameters {
     /// Longer edges are split [wanted length]. > 0.
-    double split_above = 1.4;
+    double split_above = 1.3;
     /// Shorter edges are collapsed [wanted length]. In [0, split_above / 2].
-    double collapse_below = 0.6;
+    double collapse_below = 0.4;
 
     /// Throws core::UsageError that names the first field out of its range.
     void validate() const;

@@ -19,18 +19,25 @@ struct FeatureEdges {
 
 bool has(const RingTriangle& triangle, const Point3& end) { return triangle.a == end || triangle.b == end; }
 
-FeatureEdges feature_edges(const OneRing& ring, double feature_angle) {
-    FeatureEdges edges;
+/// Each neighbour at a feature edge, once.
+template <class Visit>
+void for_each_feature_end(const OneRing& ring, double feature_angle, const Visit& visit) {
     for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
         for (const Point3& end : {ring.triangles[i].a, ring.triangles[i].b}) {
             const bool is_known =
                 std::ranges::any_of(ring.triangles.first(i), [&](const auto& t) { return has(t, end); });
-            if (is_known || !is_feature_edge(ring, end, feature_angle)) continue;
-            if (edges.count == 0) edges.first = end - ring.centre;
-            if (edges.count == 1) edges.second = end - ring.centre;
-            ++edges.count;
+            if (!is_known && is_feature_edge(ring, end, feature_angle)) visit(end);
         }
     }
+}
+
+FeatureEdges feature_edges(const OneRing& ring, double feature_angle) {
+    FeatureEdges edges;
+    for_each_feature_end(ring, feature_angle, [&](const Point3& end) {
+        if (edges.count == 0) edges.first = end - ring.centre;
+        if (edges.count == 1) edges.second = end - ring.centre;
+        ++edges.count;
+    });
     return edges;
 }
 
@@ -55,6 +62,17 @@ bool is_feature_edge(const OneRing& ring, const Point3& end, double feature_angl
         normals[static_cast<std::size_t>(count - 1)] = (triangle.a == end) == (count == 1) ? normal : Vector3(-normal);
     }
     return count != 2 || angle_between(normals[0], normals[1]) > radians(feature_angle);
+}
+
+std::optional<Point3> other_feature_end(const OneRing& ring, const Point3& end, double feature_angle) {
+    std::optional<Point3> other;
+    int count = 0;
+    for_each_feature_end(ring, feature_angle, [&](const Point3& candidate) {
+        if (candidate == end) return;
+        other = candidate;
+        ++count;
+    });
+    return count == 1 ? other : std::nullopt;
 }
 
 VertexFeature vertex_feature(const OneRing& ring, const VertexQuadric& quadric, double feature_angle) {

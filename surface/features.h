@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "surface/one_ring.h"
 #include "surface/vertex_quadric.h"
@@ -23,6 +24,9 @@ bool is_feature_edge(const Point3& a, const Point3& b, const Point3& c, const Po
 /// The edge from the centre to the neighbour at `end`, by the triangles of the ring at it; an edge that is not between
 /// two triangles is a feature. Precondition: `end` is the position of a neighbour, bit for bit.
 bool is_feature_edge(const OneRing& ring, const Point3& end, double feature_angle);
+
+/// The neighbour at the other feature edge of the centre, when there is exactly one besides that to `end`.
+std::optional<Point3> other_feature_end(const OneRing& ring, const Point3& end, double feature_angle);
 
 /// A corner: the quadric has rank 3, or three feature edges meet, or two that turn by more than `feature_angle`.
 /// A ridge: rank 2, or two feature edges in line.

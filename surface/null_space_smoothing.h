@@ -19,7 +19,7 @@ namespace dsc::surface {
 
 struct SmoothingParameters {
     /// Edges that bend by more are ridges [degree]. In (0, 90).
-    double feature_angle = 30;
+    double feature_angle = 40;
     /// How far the surface may move where it is curved [mean edge length at the vertex]. >= 0.
     double freedom = 0.02;
     /// Rings whose smallest angle is above this are left as they are [degree]. In [0, 60].

@@ -15,18 +15,23 @@ namespace dsc::flow {
 
 namespace {
 
-constexpr double least_share = 0.25;  ///< of the edge length, by curvature and thickness
+// Of the edge length.
+constexpr double least_share_by_curvature = 0.25;
+constexpr double least_share_by_thickness = 0.5;
 constexpr double least_share_of_field = 0.01;
-constexpr double max_turn = 20;     ///< of the surface along an edge, by curvature [degree]
-constexpr double edges_across = 1;  ///< what is enclosed, by thickness
+constexpr double max_turn = 20;  ///< of the surface along an edge, by curvature [degree]
+/// What is enclosed, by thickness: what is as thin as this is told from what is about to touch, and no more.
+constexpr double edges_across = 0.6;
 
 using Parameters = std::function<surface::SizingParameters(double time)>;
 
 Parameters parameters_of(const std::string& text, double edge_length) {
-    surface::SizingParameters parameters{.length = edge_length, .min_length = least_share * edge_length};
+    surface::SizingParameters parameters{.length = edge_length};
     if (text == "curvature") {
+        parameters.min_length = least_share_by_curvature * edge_length;
         parameters.max_turn = max_turn;
     } else if (text == "thickness") {
+        parameters.min_length = least_share_by_thickness * edge_length;
         parameters.edges_across = edges_across;
     } else {
         // A velocity whose first coordinate is the length.

@@ -172,7 +172,10 @@ void InterfaceControl::split_long_edges(PassContext& context, std::span<const Ed
     std::sort(edges.begin(), edges.end());
     for (const auto& [length, e] : edges) {
         const auto [a, b] = complex.vertices(e);
-        const VertexId m = context.mesh.split(e, context.middle(e));
+        const Point3 place = surface::split_position(ring_.gather(context.mesh, a), other_ring_.gather(context.mesh, b),
+                                                     context.parameters.interface_split);
+        VertexId m = context.mesh.split(e, place);
+        if (!m.is_valid()) m = context.mesh.split(e, context.middle(e));
         if (!m.is_valid()) continue;
         context.wanted_length.set(m, 0.5 * (context.wanted_length.at(a) + context.wanted_length.at(b)));
         ++context.report.counts.edge_splits;

@@ -10,6 +10,7 @@
 #include "surface/edge_collapse.h"
 #include "surface/edge_flip.h"
 #include "surface/edge_length.h"
+#include "surface/edge_split.h"
 #include "surface/null_space_smoothing.h"
 
 namespace dsc::dsc3d {
@@ -95,6 +96,7 @@ struct DeformParameters {
     double degenerate_edge = 0.3;
     double degenerate_height = 0.1;
     surface::EdgeLengthParameters interface_lengths = {};
+    surface::SplitParameters interface_split = {};
     surface::CollapseParameters interface_collapse = {};
     surface::FlipParameters interface_flip = {};
     surface::SmoothingParameters interface_smoothing = {};

@@ -58,11 +58,11 @@ TEST_CASE("a gain is the rise of the smallest angle, and the flip back gains not
 
 TEST_CASE("feature edges and curved pairs stay") {
     CHECK(Pair(0.55, 0.5, 0.5, 0).gain().has_value());
-    CHECK(Pair(0.55, 0.5, 0.5, 10).gain().has_value());
+    CHECK(Pair(0.55, 0.5, 0.5, 3).gain().has_value());
     CHECK_FALSE(Pair(0.55, 0.5, 0.5, 25).gain().has_value());  // too much volume
     CHECK(Pair(0.55, 0.5, 0.5, 25).gain({.max_volume = 0.11}).has_value());
-    CHECK_FALSE(Pair(0.55, 0.5, 0.5, 32).gain({.max_volume = 0.11}).has_value());  // a ridge
-    CHECK(Pair(0.55, 0.5, 0.5, 32).gain({.feature_angle = 33, .max_volume = 0.11}).has_value());
+    CHECK_FALSE(Pair(0.55, 0.5, 0.5, 42).gain({.max_volume = 0.11}).has_value());  // a ridge
+    CHECK(Pair(0.55, 0.5, 0.5, 42).gain({.feature_angle = 43, .max_volume = 0.11}).has_value());
     CHECK_FALSE(Pair(1, 1e-3, 1e-3, 90).gain({.min_gain = 0}).has_value());  // a ridge of needles
 }
 

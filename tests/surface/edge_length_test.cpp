@@ -9,7 +9,7 @@ TEST_CASE("edges are judged by the mean of the lengths wanted at their ends") {
     CHECK(relative_length(3, 1, 2) == 2);
     CHECK(is_too_long(1.5, {}));
     CHECK_FALSE(is_too_long(1, {}));
-    CHECK(is_too_short(0.5, {}));
+    CHECK(is_too_short(0.3, {}));
     CHECK_FALSE(is_too_short(1, {}));
 }
 
