@@ -49,6 +49,11 @@ function(dsc_library name)
                                                 "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/dsc>")
   target_link_libraries(dsc_${name} PUBLIC dsc_compile_options ${ARG_LINKS}
                                     PRIVATE "$<BUILD_INTERFACE:dsc_warnings>" ${ARG_PRIVATE_LINKS})
+  if("${ARG_PRIVATE_LINKS}" MATCHES "CGAL::CGAL")
+    target_precompile_headers(dsc_${name} REUSE_FROM dsc_cgal_library_headers)
+  else()
+    target_precompile_headers(dsc_${name} REUSE_FROM dsc_library_headers)
+  endif()
   set_property(GLOBAL APPEND PROPERTY DSC_LIBRARIES dsc_${name})
 endfunction()
 
