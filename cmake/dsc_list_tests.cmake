@@ -5,7 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(script "")
-function(add_cases spec labels)
+function(add_cases spec labels cost)
   execute_process(COMMAND "${BINARY}" "${spec}" --list-test-names-only OUTPUT_VARIABLE names
                   ERROR_VARIABLE problem RESULT_VARIABLE count)
   if(NOT count MATCHES "^[0-9]+$")
@@ -24,12 +24,14 @@ function(add_cases spec labels)
     string(APPEND script
       "add_test([==[${PREFIX}: ${name}]==] [==[${BINARY}]==] [==[${filter}]==] -w NoTests)\n"
       "set_tests_properties([==[${PREFIX}: ${name}]==] PROPERTIES LABELS [==[${labels}]==] TIMEOUT ${TIMEOUT} "
+      "COST ${cost} "
       "SKIP_REGULAR_EXPRESSION [==[SKIPPED: ]==])\n")
   endwhile()
   set(script "${script}" PARENT_SCOPE)
 endfunction()
 
-add_cases("~[slow]~[shared]~[.]" "${LABELS}")
-add_cases("[shared]~[slow]~[.]" "shared")
-add_cases("[slow]~[.]" "slow")
+# ctest begins with what costs most, so that no processor waits in the end for a long test on another.
+add_cases("~[slow]~[shared]~[.]" "${LABELS}" 0)
+add_cases("[shared]~[slow]~[.]" "shared" 1)
+add_cases("[slow]~[.]" "slow" 2)
 file(WRITE "${LIST_FILE}" "${script}")

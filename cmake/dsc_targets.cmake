@@ -29,8 +29,12 @@ if(DSC_CHECKED)
   target_compile_definitions(dsc_compile_options INTERFACE DSC_CHECKED)
 endif()
 if(DSC_SANITIZE)
-  target_compile_options(dsc_compile_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                      -fno-omit-frame-pointer)
+  # Five checks of undefined behaviour stand before every access through a reference and double the time to compile.
+  # The address sanitizer sees a null or stray access when it happens, x86-64 does not ask for alignment, and there is
+  # no downcast that could come to an object of another type.
+  target_compile_options(dsc_compile_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(dsc_compile_options INTERFACE -fsanitize=address,undefined)
 endif()
 
@@ -45,6 +49,11 @@ function(dsc_library name)
                                                 "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/dsc>")
   target_link_libraries(dsc_${name} PUBLIC dsc_compile_options ${ARG_LINKS}
                                     PRIVATE "$<BUILD_INTERFACE:dsc_warnings>" ${ARG_PRIVATE_LINKS})
+  if("${ARG_PRIVATE_LINKS}" MATCHES "CGAL::CGAL")
+    target_precompile_headers(dsc_${name} REUSE_FROM dsc_cgal_library_headers)
+  else()
+    target_precompile_headers(dsc_${name} REUSE_FROM dsc_library_headers)
+  endif()
   set_property(GLOBAL APPEND PROPERTY DSC_LIBRARIES dsc_${name})
 endfunction()
 

@@ -120,7 +120,7 @@ TEST_CASE("three labels that meet in a line are kept") {
 }
 
 TEST_CASE("labels are winding numbers: parts side by side, cavities, parts within parts") {
-    const geometry::SurfaceData outer = icosphere(centre, 0.4, 6), inner = icosphere(centre, 0.2, 4);
+    const geometry::SurfaceData outer = icosphere(centre, 0.4, 3), inner = icosphere(centre, 0.2, 2);
     const double large = enclosed(outer), small = enclosed(inner);
     {
         const Mesh mesh = filled(joined(outer, inner));
