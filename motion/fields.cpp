@@ -35,11 +35,12 @@ Vector<2> vortex(double x, double y) {
 }
 
 template <int Dimension>
-VelocityField<Dimension> shear(const Vector<Dimension>& direction, const Vector<Dimension>& gradient) {
+VelocityField<Dimension> shear(const Vector<Dimension>& direction, const Vector<Dimension>& gradient,
+                               const Vector<Dimension>& about) {
     if (!(std::abs(direction.dot(gradient)) <= perpendicular * direction.norm() * gradient.norm())) {
         throw core::UsageError("shear: the direction has to be perpendicular to the gradient");
     }
-    return [=](const Vector<Dimension>& x, double) -> Vector<Dimension> { return direction * gradient.dot(x); };
+    return [=](const Vector<Dimension>& x, double) -> Vector<Dimension> { return direction * gradient.dot(x - about); };
 }
 
 }  // namespace
@@ -65,11 +66,11 @@ VelocityField<3> vortex_in_cube(std::optional<double> period) {
     };
 }
 
-VelocityField<2> shear_field(const Vector<2>& direction, const Vector<2>& gradient) {
-    return shear<2>(direction, gradient);
+VelocityField<2> shear_field(const Vector<2>& direction, const Vector<2>& gradient, const Vector<2>& about) {
+    return shear<2>(direction, gradient, about);
 }
-VelocityField<3> shear_field(const Vector<3>& direction, const Vector<3>& gradient) {
-    return shear<3>(direction, gradient);
+VelocityField<3> shear_field(const Vector<3>& direction, const Vector<3>& gradient, const Vector<3>& about) {
+    return shear<3>(direction, gradient, about);
 }
 
 }  // namespace dsc::motion

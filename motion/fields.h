@@ -29,9 +29,11 @@ VelocityField<Dimension> translation_field(const Vector<Dimension>& velocity) {
     return [velocity](const Vector<Dimension>&, double) { return velocity; };
 }
 
-/// Velocity `direction` times (gradient · x), with `direction` perpendicular to `gradient`. Throws core::UsageError
-/// otherwise.
-VelocityField<2> shear_field(const Vector<2>& direction, const Vector<2>& gradient);
-VelocityField<3> shear_field(const Vector<3>& direction, const Vector<3>& gradient);
+/// Velocity `direction` times (gradient · (x - about)), with `direction` perpendicular to `gradient`. Throws
+/// core::UsageError otherwise.
+VelocityField<2> shear_field(const Vector<2>& direction, const Vector<2>& gradient,
+                             const Vector<2>& about = Vector<2>::Zero());
+VelocityField<3> shear_field(const Vector<3>& direction, const Vector<3>& gradient,
+                             const Vector<3>& about = Vector<3>::Zero());
 
 }  // namespace dsc::motion

@@ -25,9 +25,11 @@ inline constexpr std::array shape_names{
 };
 
 inline constexpr std::array motion_names{
-    Name{"rotate", Motion::rotate},         Name{"curvature", Motion::curvature}, Name{"offset", Motion::offset},
-    Name{"enright", Motion::enright},       Name{"vortex", Motion::vortex},       Name{"translate", Motion::translate},
-    Name{"expression", Motion::expression},
+    Name{"rotate", Motion::rotate},         Name{"curvature", Motion::curvature},
+    Name{"offset", Motion::offset},         Name{"enright", Motion::enright},
+    Name{"vortex", Motion::vortex},         Name{"translate", Motion::translate},
+    Name{"expression", Motion::expression}, Name{"curl-noise", Motion::curl_noise},
+    Name{"shear", Motion::shear},           Name{"grid", Motion::grid},
 };
 
 inline constexpr std::array topology_names{

@@ -19,7 +19,7 @@ struct Texts {
     std::string shape;
     std::string motion = "rotate";
     std::string topology = "preserved";
-    std::optional<std::string> centre, size, domain, axis, about, velocity;
+    std::optional<std::string> centre, size, domain, axis, about, direction, gradient, velocity, array;
 };
 
 void parse_size(const std::string& text, ShapeOptions& options) {
@@ -61,8 +61,14 @@ void parse_texts(const Texts& texts, Options& options) {
     if (texts.axis) motion.axis = apps::parsed_point<3>("--axis", *texts.axis);
     if (motion.axis.norm() == 0) throw core::UsageError("--axis: must not be zero");
     if (texts.about) motion.about = apps::parsed_point<3>("--about", *texts.about);
+    if (texts.direction) motion.direction = apps::parsed_point<3>("--direction", *texts.direction);
+    if (texts.gradient) motion.gradient = apps::parsed_point<3>("--gradient", *texts.gradient);
+    motion.seed = static_cast<std::uint64_t>(options.common.seed);
+    motion.array = texts.array.value_or("");
     if (motion.motion == Motion::expression) {
         motion.expressions = texts.velocity;
+    } else if (motion.motion == Motion::grid) {
+        motion.path = texts.velocity.value_or("");
     } else if (texts.velocity) {
         motion.velocity = apps::parsed_point<3>("--velocity", *texts.velocity);
     }
@@ -93,17 +99,24 @@ void check_uses(const apps::CommandLine& line, const Options& options) {
         throw core::UsageError("--feature-angle goes with --edge-length: without it the surface is kept");
     const std::string motion = name_of(motion_names, options.motion.motion);
     require_use("--axis", {"rotate"}, motion);
-    require_use("--about", {"rotate"}, motion);
+    require_use("--about", {"rotate", "shear"}, motion);
     require_use("--angle", {"rotate"}, motion);
     require_use("--distance", {"offset"}, motion);
     require_use("--period", {"enright", "vortex"}, motion);
-    require_use("--velocity", {"translate", "expression"}, motion);
+    require_use("--speed", {"curl-noise"}, motion);
+    require_use("--frequency", {"curl-noise"}, motion);
+    require_use("--direction", {"shear"}, motion);
+    require_use("--gradient", {"shear"}, motion);
+    require_use("--velocity", {"translate", "expression", "grid"}, motion);
+    require_use("--array", {"grid"}, motion);
     if (options.motion.motion == Motion::offset && !options.motion.distance)
         throw core::UsageError("--motion offset needs --distance");
     if (options.motion.motion == Motion::translate && !options.motion.velocity)
         throw core::UsageError("--motion translate needs --velocity x,y,z");
     if (options.motion.motion == Motion::expression && !options.motion.expressions)
         throw core::UsageError("--motion expression needs --velocity \"(-y, x, 0)\"");
+    if (options.motion.motion == Motion::grid && options.motion.path.empty())
+        throw core::UsageError("--motion grid needs --velocity FILE.vti");
 }
 
 }  // namespace
@@ -148,11 +161,18 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.heading("Motion");
     line.choice("--motion", texts.motion, all_names(motion_names), "what moves the interface");
     line.text("--axis", texts.axis, "of rotation, x,y,z (default 0,0,1)");
-    line.text("--about", texts.about, "point of the axis, x,y,z (default: centre of the domain)");
+    line.text("--about", texts.about, "point that stays in rotation and shear, x,y,z (default: centre of the domain)");
     line.number("--angle", motion.angle, "of rotation in all, in degrees");
     line.number("--distance", motion.distance, "of the offset in all, negative inwards");
     line.number("--period", motion.period, "of enright and vortex", {.above = 0});
-    line.text("--velocity", texts.velocity, "x,y,z of translate; \"(-y, x, 0)\" in x, y, z, t of expression");
+    line.number("--speed", motion.speed, "of curl-noise, the largest", {.above = 0});
+    line.number("--frequency", motion.frequency, "of curl-noise, in wave lengths across the domain, at most",
+                {.at_least = 1, .at_most = 20});
+    line.text("--direction", texts.direction, "of shear: the velocity at a distance of 1, x,y,z (default 1,0,0)");
+    line.text("--gradient", texts.gradient, "of shear: where it grows to, perpendicular to it (default 0,1,0)");
+    line.text("--velocity", texts.velocity,
+              "x,y,z of translate; \"(-y, x, 0)\" in x, y, z, t of expression; a file (.vti) of grid");
+    line.text("--array", texts.array, "of the file of grid, when it has several");
     line.heading("Time");
     line.number("--dt", options.time.dt, "of a step", {.above = 0});
     line.number("--until", options.time.until, "time at the end (default 1; enright and vortex: their period)",

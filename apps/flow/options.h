@@ -35,17 +35,35 @@ struct ShapeOptions {
     std::optional<Eigen::AlignedBox3d> domain;
 };
 
-enum class Motion : std::uint8_t { rotate, curvature, offset, enright, vortex, translate, expression };
+enum class Motion : std::uint8_t {
+    rotate,
+    curvature,
+    offset,
+    enright,
+    vortex,
+    curl_noise,
+    shear,
+    translate,
+    expression,
+    grid
+};
 
 struct MotionOptions {
     Motion motion = Motion::rotate;
     Point3 axis = Point3(0, 0, 1);           ///< rotate: not zero
-    std::optional<Point3> about;             ///< rotate: a point of the axis; absent: the centre of the domain
+    std::optional<Point3> about;             ///< rotate, shear: a point that stays; absent: the centre of the domain
     double angle = 360;                      ///< rotate: in all [degree]
     std::optional<double> distance;          ///< offset: in all; negative inwards
     double period = 3;                       ///< enright, vortex: time after which the flow is back at its start
+    double speed = 1;                        ///< curl-noise: the largest
+    double frequency = 3;                    ///< curl-noise: wave lengths across the domain, at most
+    std::uint64_t seed = 1;                  ///< curl-noise
+    Point3 direction = Point3(1, 0, 0);      ///< shear: the velocity at a distance of 1 along the gradient
+    Point3 gradient = Point3(0, 1, 0);       ///< shear: perpendicular to it
     std::optional<Point3> velocity;          ///< translate
     std::optional<std::string> expressions;  ///< expression: "(-y, x, 0)" in x, y, z and t
+    std::string path;                        ///< grid: the VTI file
+    std::string array;                       ///< grid: its array; empty: the only one that is a velocity
 };
 
 struct TimeOptions {

@@ -4,7 +4,9 @@
 #include <numbers>
 #include <utility>
 
+#include "apps/flow/velocity_file.h"
 #include "dsc3d/interface.h"
+#include "motion/curl_noise.h"
 #include "motion/expression_field.h"
 #include "motion/fields.h"
 #include "motion/rigid.h"
@@ -101,6 +103,17 @@ Targets motion_targets(const MotionOptions& motion, const Eigen::AlignedBox3d& d
         case Motion::enright: return along(RungeKutta(motion::enright_deformation(motion.period)));
         case Motion::vortex: return along(RungeKutta(motion::vortex_in_cube(motion.period)));
         case Motion::translate: return along(motion::Translation<3>(*motion.velocity));
+        case Motion::curl_noise:
+            return along(RungeKutta(motion::curl_noise(motion::CurlNoiseParameters<3>{.low = domain.min(),
+                                                                                      .high = domain.max(),
+                                                                                      .has_walls = true,
+                                                                                      .max_frequency = motion.frequency,
+                                                                                      .max_speed = motion.speed,
+                                                                                      .seed = motion.seed})));
+        case Motion::shear:
+            return along(RungeKutta(
+                motion::shear_field(motion.direction, motion.gradient, motion.about.value_or(domain.center()))));
+        case Motion::grid: return along(RungeKutta(velocity_from_file<3>(motion.path, motion.array)));
         case Motion::expression: break;
     }
     return along(RungeKutta(motion::expression_field<3>(*motion.expressions)));

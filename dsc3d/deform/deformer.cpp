@@ -86,40 +86,48 @@ StepReport Deformer::step(std::span<const std::optional<Point3>> targets, const 
     PassContext context = this->context(report);
     const int wanted = moving_.empty() ? 0 : wanted_substeps(path);
     for (int substep = 0; substep < wanted && !moving_.empty(); ++substep) {
-        listener_.on_substep(substep, wanted);
         aim((substep + 1.0) / wanted, path);
-        move_vertices_step(report);
-        maintain(context);
-        treat_contacts(context, substep, parameters_.contact_distance);
-        ++report.substeps;
+        take_substep(context, substep, wanted);
+        wait_for_late_ones(context, substep, wanted);
     }
-    retry_late_ones(context, wanted);
     report_unfinished(context);
     if (report.substeps > 0) finish(context);
     return report;
 }
 
-// Further substeps of those vertices only that have not come to their targets, until that moves them no more.
-void Deformer::retry_late_ones(PassContext& context, int substep) {
+void Deformer::take_substep(PassContext& context, int substep, int wanted) {
+    listener_.on_substep(substep, wanted);
+    move_vertices_step(context.report);
+    maintain(context);
+    treat_contacts(context, context.report.substeps, parameters_.contact_distance);
+    ++context.report.substeps;
+}
+
+// Further substeps of those vertices only that have not come to their targets in this one, until that moves them no
+// more: otherwise what comes behind would run into what is held up, and squeeze it.
+void Deformer::wait_for_late_ones(PassContext& context, int substep, int wanted) {
     const std::vector<TetId> others(region_.tets().begin(), region_.tets().end());
-    for (int stalls = 0;
-         stalls < parameters_.max_stalls && context.report.substeps < substep + parameters_.max_substeps;) {
-        release_arrived();
+    const int most = context.report.substeps + parameters_.max_substeps;
+    std::vector<VertexId> arrived;
+    for (int stalls = 0; stalls < parameters_.max_stalls && context.report.substeps < most;) {
+        std::erase_if(moving_, [&](VertexId v) {
+            way_[v] = target_[v] - mesh_.position(v);
+            if (mesh_.position(v) != target_[v]) return false;
+            arrived.push_back(v);
+            return true;
+        });
         if (moving_.empty()) break;
-        listener_.on_substep(context.report.substeps, substep);
         region_.clear();
-        aim(1, nullptr);
         const double before = way_left();
-        move_vertices_step(context.report);
-        maintain(context);
-        treat_contacts(context, context.report.substeps, parameters_.contact_distance);
-        ++context.report.substeps;
+        take_substep(context, substep, wanted);
         if (way_left() <= parameters_.stalling_share * before) continue;
         ++stalls;
         // What holds them up may be a part of the interface that is not that near yet.
         treat_contacts(context, context.report.substeps, parameters_.gap_width);
         if (parameters_.improves_quality) upkeep_.rescue(context);
     }
+    for (const VertexId v : arrived)
+        if (is_moving_[v] != 0) moving_.push_back(v);
     region_.add(others);
     region_.settle(mesh_.complex());
 }
@@ -127,14 +135,6 @@ void Deformer::retry_late_ones(PassContext& context, int substep) {
 void Deformer::release(VertexId v) {
     is_moving_[v] = 0;
     way_[v].setZero();
-}
-
-void Deformer::release_arrived() {
-    std::erase_if(moving_, [&](VertexId v) {
-        if (mesh_.position(v) != goal_[v]) return false;
-        release(v);
-        return true;
-    });
 }
 
 // Once in a step: the interface as a surface, and what hill climbing has left bad.
@@ -271,7 +271,8 @@ void Deformer::treat_contacts(PassContext& context, int substep, double distance
 void Deformer::report_unfinished(PassContext& context) {
     StepReport& report = context.report;
     for (const VertexId v : stopped_)
-        if (mesh_.complex().is_interface(v)) report.unfinished.push_back({v, goal_[v] - mesh_.position(v), true});
+        if (mesh_.complex().is_interface(v) && mesh_.position(v) != goal_[v])
+            report.unfinished.push_back({v, goal_[v] - mesh_.position(v), true});
     for (const VertexId v : moving_) {
         if (mesh_.position(v) == goal_[v]) continue;
         const bool is_locked = is_held(context, v);

@@ -63,9 +63,9 @@ private:
     void aim(double share, const Path& path);
     double way_left() const;
     double length_of_way(VertexId v, const Path& path) const;
-    void retry_late_ones(PassContext& context, int substep);
+    void take_substep(PassContext& context, int substep, int wanted);
+    void wait_for_late_ones(PassContext& context, int substep, int wanted);
     void release(VertexId v);
-    void release_arrived();
     void move_vertices_step(StepReport& report);
 
     PassContext context(StepReport& report);

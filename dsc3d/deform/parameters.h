@@ -47,7 +47,7 @@ struct DeformParameters {
     double stride = 0.5;
     /// Steps that would take more substeps are refused. >= 1.
     int most_substeps = 100000;
-    /// Substeps beyond those that the stride asks for, before unfinished motion is reported. >= 1.
+    /// Substeps beyond each that the stride asks for, before what is late is left behind. >= 1.
     int max_substeps = 40;
     /// ... and no more than this many that leave the following share of the way. >= 1, in (0, 1].
     int max_stalls = 3;

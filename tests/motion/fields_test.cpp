@@ -97,6 +97,7 @@ TEST_CASE("values of the fields are those of their formulas") {
     CHECK(vortex_in_cube({})(Vector<3>(0.5, 0.25, 0.3), 0).z() == 0);
     CHECK(translation_field<2>({1, 2})(Vector<2>(5, 6), 7) == Vector<2>(1, 2));
     CHECK(shear_field(Vector<2>(3, 0), Vector<2>(0, 2))(Vector<2>(5, 7), 0) == Vector<2>(42, 0));
+    CHECK(shear_field(Vector<2>(3, 0), Vector<2>(0, 2), Vector<2>(4, 6))(Vector<2>(5, 7), 0) == Vector<2>(6, 0));
 }
 
 TEST_CASE("periods that are not positive and slanted shears are refused") {

@@ -20,8 +20,15 @@ inline constexpr std::array shape_names{
 };
 
 inline constexpr std::array motion_names{
-    Name{"rotate", Motion::rotate}, Name{"curvature", Motion::curvature}, Name{"offset", Motion::offset},
-    Name{"vortex", Motion::vortex}, Name{"translate", Motion::translate}, Name{"expression", Motion::expression},
+    Name{"rotate", Motion::rotate},
+    Name{"curvature", Motion::curvature},
+    Name{"offset", Motion::offset},
+    Name{"vortex", Motion::vortex},
+    Name{"translate", Motion::translate},
+    Name{"expression", Motion::expression},
+    Name{"curl-noise", Motion::curl_noise},
+    Name{"shear", Motion::shear},
+    Name{"grid", Motion::grid},
 };
 
 }  // namespace dsc::flow::planar

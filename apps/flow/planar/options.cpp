@@ -94,6 +94,16 @@ private:
         motion.angle = common_.motion.angle;
         motion.distance = common_.motion.distance.value_or(0);
         motion.period = common_.motion.period;
+        motion.speed = common_.motion.speed;
+        motion.frequency = common_.motion.frequency;
+        motion.seed = static_cast<std::uint64_t>(common_.common.seed);
+        motion.has_walls = !texts_.is_torus;
+        motion.direction = point("--direction").value_or(motion.direction);
+        motion.gradient = point("--gradient").value_or(motion.gradient);
+        motion.array = text("--array").value_or("");
+        motion.path = motion.motion == Motion::grid ? text("--velocity").value_or("") : "";
+        if (motion.motion == Motion::grid && motion.path.empty())
+            throw core::UsageError("--motion grid needs --velocity FILE.vti");
         if (motion.motion == Motion::offset && !common_.motion.distance)
             throw core::UsageError("--motion offset needs --distance");
         if (motion.motion == Motion::translate) {
@@ -134,11 +144,16 @@ private:
         require_use("--slot-depth", {"slotted-disc"}, shape);
         require_use("--sides", {"polygon"}, shape);
         const std::string motion = name_of(motion_names, options_.motion.motion);
-        require_use("--about", {"rotate"}, motion);
+        require_use("--about", {"rotate", "shear"}, motion);
         require_use("--angle", {"rotate"}, motion);
         require_use("--distance", {"offset"}, motion);
         require_use("--period", {"vortex"}, motion);
-        require_use("--velocity", {"translate", "expression"}, motion);
+        require_use("--speed", {"curl-noise"}, motion);
+        require_use("--frequency", {"curl-noise"}, motion);
+        require_use("--direction", {"shear"}, motion);
+        require_use("--gradient", {"shear"}, motion);
+        require_use("--velocity", {"translate", "expression", "grid"}, motion);
+        require_use("--array", {"grid"}, motion);
     }
 
     const apps::CommandLine& line_;

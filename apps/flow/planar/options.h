@@ -37,16 +37,24 @@ struct ShapeOptions {
     bool is_torus = false;  ///< the domain repeats itself in both directions
 };
 
-enum class Motion : std::uint8_t { rotate, curvature, offset, vortex, translate, expression };
+enum class Motion : std::uint8_t { rotate, curvature, offset, vortex, curl_noise, shear, translate, expression, grid };
 
 struct MotionOptions {
     Motion motion = Motion::rotate;
-    std::optional<Point2> about;  ///< rotate; absent: the centre of the domain
+    std::optional<Point2> about;  ///< rotate, shear: stays; absent: the centre of the domain
     double angle = 360;           ///< rotate: in all, counterclockwise [degree]
     double distance = 0;          ///< offset: in all; negative inwards
     double period = 3;            ///< vortex: time after which the flow is back at its start
+    double speed = 1;             ///< curl-noise: the largest
+    double frequency = 3;         ///< curl-noise: wave lengths across the domain, at most
+    std::uint64_t seed = 1;       ///< curl-noise
+    bool has_walls = true;        ///< curl-noise: there is no torus
+    Point2 direction = Point2(1, 0);
+    Point2 gradient = Point2(0, 1);
     Point2 velocity = Point2::Zero();
     std::string expressions;  ///< expression: "(-y, x)" in x, y and t
+    std::string path;         ///< grid: the VTI file
+    std::string array;        ///< grid: its array; empty: the only one that is a velocity
 };
 
 struct Options {

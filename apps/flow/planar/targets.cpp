@@ -4,9 +4,11 @@
 #include <numbers>
 #include <utility>
 
+#include "apps/flow/velocity_file.h"
 #include "dsc2d/curve/curvature_step.h"
 #include "dsc2d/curve/edge_offsetting.h"
 #include "dsc2d/interface.h"
+#include "motion/curl_noise.h"
 #include "motion/expression_field.h"
 #include "motion/fields.h"
 #include "motion/rigid.h"
@@ -73,6 +75,17 @@ Targets motion_targets(const MotionOptions& motion, const Eigen::AlignedBox2d& d
             };
         case Motion::vortex: return along(RungeKutta(motion::vortex_in_square(motion.period)));
         case Motion::translate: return along(motion::Translation<2>(motion.velocity));
+        case Motion::curl_noise:
+            return along(RungeKutta(motion::curl_noise(motion::CurlNoiseParameters<2>{.low = domain.min(),
+                                                                                      .high = domain.max(),
+                                                                                      .has_walls = motion.has_walls,
+                                                                                      .max_frequency = motion.frequency,
+                                                                                      .max_speed = motion.speed,
+                                                                                      .seed = motion.seed})));
+        case Motion::shear:
+            return along(RungeKutta(
+                motion::shear_field(motion.direction, motion.gradient, motion.about.value_or(domain.center()))));
+        case Motion::grid: return along(RungeKutta(velocity_from_file<2>(motion.path, motion.array)));
         case Motion::expression: break;
     }
     return along(RungeKutta(motion::expression_field<2>(motion.expressions)));

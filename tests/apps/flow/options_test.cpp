@@ -66,6 +66,28 @@ TEST_CASE("a shape that is not known by name is a file; --velocity is what the m
           text);
 }
 
+TEST_CASE("curl noise, shear and velocities from a file have options of their own") {
+    const Options noise =
+        *parsed({"sphere", "--motion", "curl-noise", "--speed", "2", "--frequency", "4", "--seed", "9"});
+    CHECK(noise.motion.motion == Motion::curl_noise);
+    CHECK(noise.motion.speed == 2);
+    CHECK(noise.motion.frequency == 4);
+    CHECK(noise.motion.seed == 9);
+    const Options shear =
+        *parsed({"sphere", "--motion", "shear", "--direction", "0,0,2", "--gradient", "1,0,0", "--about", "0,1,2"});
+    CHECK(shear.motion.direction == Point3(0, 0, 2));
+    CHECK(shear.motion.gradient == Point3(1, 0, 0));
+    CHECK(*shear.motion.about == Point3(0, 1, 2));
+    const Options grid = *parsed({"sphere", "--motion", "grid", "--velocity", "wind.vti", "--array", "wind"});
+    CHECK(grid.motion.path == "wind.vti");
+    CHECK(grid.motion.array == "wind");
+    check_refused({"sphere", "--motion", "grid"}, "--velocity");
+    check_refused({"sphere", "--motion", "rotate", "--array", "wind"}, "--array");
+    check_refused({"sphere", "--motion", "shear", "--speed", "2"}, "--speed");
+    check_refused({"sphere", "--motion", "curl-noise", "--frequency", "0.5"}, "--frequency");
+    check_refused({"sphere", "--motion", "curl-noise", "--gradient", "0,1,0"}, "--gradient");
+}
+
 TEST_CASE("options that are wrong, missing or of no use are refused by name") {
     check_refused({"ball"}, "ball");
     check_refused({"sphere", "--center", "1,2"}, "--center");

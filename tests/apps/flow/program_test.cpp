@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -90,4 +92,37 @@ TEST_CASE("going on from a result needs another folder, and an earlier series do
     CHECK(!std::filesystem::exists(out / "series.pvd"));
     CHECK(!std::filesystem::exists(out / "index.html"));
     CHECK(std::filesystem::exists(out / "final.mesh"));
+}
+
+TEST_CASE("a velocity on a grid moves the interface, and a file without one is refused") {
+    const TemporaryFolder folder;
+    const std::string wind = (folder / "wind.vti").string(), out = (folder / "out").string();
+    // 0.1 in x at the one layer below, 0.3 at the other: 0.2 halfway.
+    io::write_file(
+        wind,
+        R"(<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian"><ImageData WholeExtent="0 0 0 0 0 1">
+<Piece Extent="0 0 0 0 0 1"><PointData><DataArray type="Float64" Name="wind" NumberOfComponents="3" format="ascii">
+0.1 0 0 0.3 0 0</DataArray></PointData></Piece></ImageData></VTKFile>)");
+    const std::vector<std::string> run = {
+        "labelled-block", "--edge-length", "0.1", "--motion", "grid", "--steps", "2", "--dimension", "3", "-o", out,
+        "--velocity"};
+    const auto with = [&](const std::string& file) {
+        std::vector<std::string> arguments = run;
+        arguments.push_back(file);
+        return arguments;
+    };
+    REQUIRE(run_program(DSC_FLOW_PROGRAM, with(wind)).exit_code == 0);
+    double least = 1, largest = 0;
+    const geometry::SurfaceData surface = io::read_surface_mesh(out + "/final.obj");
+    for (const geometry::Point3& p : surface.vertices) {
+        // Where a vertex that is at x now, and has kept its height, was at the start: within the block of side 0.4.
+        CHECK(std::abs(p.x() - 0.1 - 0.2 * p.z() - 0.5) < 0.2 + 1e-12);
+        least = std::min(least, p.x());
+        largest = std::max(largest, p.x());
+    }
+    CHECK(least == Approx(0.3 + 0.1 + 0.2 * 0.3).epsilon(1e-12));
+    CHECK(largest == Approx(0.7 + 0.1 + 0.2 * 0.7).epsilon(1e-12));
+    check_refused(with((folder / "absent.vti").string()), "absent.vti");
+    io::write_file(wind, "<VTKFile/>");
+    check_refused(with(wind), "wind.vti");
 }

@@ -82,6 +82,39 @@ TEST_CASE("the deformations of the unit cube come back when half the period has 
     }
 }
 
+TEST_CASE(
+    "a shear takes everything along its direction, by the distance along the gradient from the point that stays") {
+    const dsc3d::Mesh mesh = ball();
+    const MotionOptions motion{
+        .motion = Motion::shear, .about = Point3(0, 0.4, 0), .direction = Point3(0, 0, 3), .gradient = Point3(0, 2, 0)};
+    for_each_target(mesh, targets_of(mesh, motion, 0, 0.1), [&](const Point3& from, const Point3& to) {
+        CHECK((to - from - Point3(0, 0, 0.1 * 6 * (from.y() - 0.4))).norm() < 1e-14);
+    });
+    CHECK_THROWS_AS(motion_targets({.motion = Motion::shear, .gradient = Point3(1, 1, 0)}, {}, 1), core::UsageError);
+}
+
+TEST_CASE("curl noise has the largest speed it was given, other seeds, and stays within the walls") {
+    const dsc3d::Mesh mesh = ball();
+    const Eigen::AlignedBox3d domain(Point3(0, 0, 0), Point3(1, 1, 1));
+    MotionOptions motion{.motion = Motion::curl_noise, .speed = 0.5, .seed = 7};
+    const double dt = 0.01;
+    double largest = 0;
+    const auto targets = targets_of(mesh, motion, 0, dt);
+    for_each_target(mesh, targets, [&](const Point3& from, const Point3& to) {
+        largest = std::max(largest, (to - from).norm() / dt);
+    });
+    CHECK(largest > 0.05);
+    CHECK(largest < 0.5 * (1 + 1e-6));
+    CHECK(targets_of(mesh, motion, 0.3, dt) == targets);
+    motion.seed = 8;
+    CHECK(targets_of(mesh, motion, 0, dt) != targets);
+    // From next to a wall for a long time.
+    const StepMotion step = motion_targets(motion, domain, 1)(mesh, 0, 1);
+    Point3 p(0.4, 0.6, 1e-3);
+    for (int i = 0; i < 1000; ++i) p = step.path(p, 0.01);
+    CHECK(domain.contains(p));
+}
+
 TEST_CASE("a ball shrinks by its curvature at twice the inverse of its radius") {
     const dsc3d::Mesh mesh = ball();
     const double before =

@@ -354,3 +354,18 @@ TEST_CASE("a step that is stopped in the middle is recorded as far as it went") 
     for (std::size_t i = 0; i < run.before.size(); ++i)
         CHECK((run.places()[i] - run.before[i] - Point2(0.2 * time, 0)).norm() < 1e-12);
 }
+
+TEST_CASE("a shear turns a box into a parallelogram; curl noise keeps areas, on a torus too") {
+    Run sheared({.shape = Shape::box, .size = Point2(0.2, 0.2), .edge_length = 0.05});
+    sheared.go({.motion = Motion::shear, .direction = Point2(1, 0), .gradient = Point2(0, 1)}, 5);
+    Eigen::AlignedBox2d bounds;
+    for (const Point2& p : sheared.places()) bounds.extend(p);
+    CHECK(bounds.sizes().x() == Approx(0.4).epsilon(1e-12));
+    CHECK(sheared.label(1).area == Approx(0.04).epsilon(1e-12));
+    for (const bool is_torus : {false, true}) {
+        Run stirred({.shape = Shape::disc, .radius = 0.2, .edge_length = 0.02, .is_torus = is_torus});
+        stirred.go({.motion = Motion::curl_noise, .speed = 0.1, .has_walls = !is_torus}, 10);
+        CHECK(stirred.largest_area_change() < 2e-3 * stirred.result.steps[0].labels[1].area);
+        CHECK(stirred.places() != stirred.before);
+    }
+}

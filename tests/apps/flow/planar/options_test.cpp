@@ -82,6 +82,7 @@ TEST_CASE("what the plane does not have, or has no use for, is refused by name")
     check_refused({"disc", "--motion", "expression"}, "--velocity");
     check_refused({"disc", "--motion", "curvature", "--angle", "5"}, "--angle");
     check_refused({"disc", "--dt", "0.1", "--until", "1", "--steps", "10"}, "--steps");
+    check_refused({"disc", "--motion", "grid"}, "--velocity");
     const std::vector<const char*> spatial = {"flow", "sphere", "--torus", "-o", "."};
     CHECK_THROWS_WITH(flow::parse_options(5, spatial.data()), Catch::Contains("--torus"));
 }
