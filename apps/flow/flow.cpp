@@ -15,13 +15,17 @@ namespace dsc::flow {
 
 namespace {
 
-// What is on a wall slides on it, wherever its target is.
+// What is on a wall slides on it, wherever its target is, and what comes to one may touch it where the background may
+// be squeezed away.
 void require_places(const dsc3d::Mesh& mesh, const std::vector<std::optional<Point3>>& targets,
-                    const Eigen::AlignedBox3d& domain, double time) {
+                    const Eigen::AlignedBox3d& domain, const dsc3d::DeformParameters& parameters, double time) {
+    const bool may_touch =
+        motion::allows_change(parameters.topology, parameters.background_label, parameters.background_label);
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
         if (!targets[i]) continue;
         const bool is_finite = targets[i]->allFinite();
-        if (is_finite && (domain.contains(*targets[i]) || mesh.complex().is_boundary(dsc3d::VertexId(i)))) continue;
+        if (is_finite && (may_touch || domain.contains(*targets[i]) || mesh.complex().is_boundary(dsc3d::VertexId(i))))
+            continue;
         const Point3& p = mesh.position(dsc3d::VertexId(i));
         throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}, {:.6g}) {} at time {}", i, p.x(),
                                          p.y(), p.z(), is_finite ? "leads out of the domain" : "is not finite",
@@ -81,7 +85,7 @@ public:
         const double start = result_.time.time(step - 1), time = result_.time.time(step);
         watch = {};
         const StepMotion wanted = targets_(mesh_, start, time - start);
-        require_places(mesh_, wanted.targets, result_.domain, start);
+        require_places(mesh_, wanted.targets, result_.domain, parameters_, start);
         milliseconds.emplace_back("targets", 1e3 * watch.seconds());
         watch = {};
         deformer_->set_edge_lengths(wanted.edge_lengths);

@@ -158,8 +158,24 @@ bool EdgeCollapse::collapse_at(RatedMesh& mesh, EdgeId e, VertexId kept, const P
         if (complex.has_vertex(t, gone)) tet.vertices[static_cast<std::size_t>(complex.index_of(t, gone))] = kept;
         proposal_.added.push_back(tet);
     }
+    take_patches(mesh, kept, gone);
     const double least = std::min(mesh.worst_quality(proposal_.removed), enough);
     return mesh.apply_with(proposal_, kept, place, least);
+}
+
+// Of what is removed, but for the faces at the edge, and of what the vertex that is gone gives to the other one.
+void EdgeCollapse::take_patches(const RatedMesh& mesh, VertexId kept, VertexId gone) {
+    const Complex& complex = mesh.complex();
+    for (const TetId t : proposal_.removed) {
+        for (const FaceId f : complex.faces(t)) {
+            if (!mesh.surface().has_patch(complex, f)) continue;
+            FaceVertices face = complex.vertices(f);
+            const bool has_kept = std::find(face.begin(), face.end(), kept) != face.end();
+            if (has_kept && std::find(face.begin(), face.end(), gone) != face.end()) continue;
+            std::replace(face.begin(), face.end(), gone, kept);
+            proposal_.surface.push_back({face, mesh.surface().patch(f)});
+        }
+    }
 }
 
 }  // namespace dsc::dsc3d

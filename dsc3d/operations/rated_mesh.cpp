@@ -158,14 +158,30 @@ VertexId RatedMesh::split(EdgeId e, const Point3& position) {
     return m;
 }
 
-// The boundary faces at the edge are divided too, and m moves as they allow.
-void RatedMesh::add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& parts) {
+Point3 RatedMesh::middle(EdgeId e) const {
+    const auto [a, b] = complex().vertices(e);
+    const Point3 middle = 0.5 * (position(a) + position(b));
+    if (!complex().is_boundary(e)) return middle;
+    EdgeRing ring;
+    gather_ring(complex(), e, ring);
+    const auto [first, last] = boundary_patches(ring);
+    return first == last ? surface_.on_patch(first, middle) : middle;
+}
+
+// Of the two boundary faces at the edge of an open ring.
+std::array<std::int32_t, 2> RatedMesh::boundary_patches(const EdgeRing& ring) const {
     const auto patch = [&](TetId t, VertexId opposite) {
         const FaceId f = complex().faces(t)[static_cast<std::size_t>(complex().index_of(t, opposite))];
         return surface_.patch(f);
     };
     const std::size_t n = ring.tets.size();
-    const std::int32_t first = patch(ring.tets[0], ring.link[1]), last = patch(ring.tets[n - 1], ring.link[n - 1]);
+    return {patch(ring.tets[0], ring.link[1]), patch(ring.tets[n - 1], ring.link[n - 1])};
+}
+
+// The boundary faces at the edge are divided too, and m moves as they allow.
+void RatedMesh::add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& parts) {
+    const auto [first, last] = boundary_patches(ring);
+    const std::size_t n = ring.tets.size();
     for (const auto& [corner, of_face] : {std::pair(ring.link[0], first), std::pair(ring.link[n], last)})
         for (const VertexId end : {ring.a, ring.b}) parts.surface.push_back({{end, m, corner}, of_face});
     surface_.set_freedom(m,
