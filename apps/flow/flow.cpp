@@ -54,9 +54,10 @@ private:
 class Run {
 public:
     Run(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets, Snapshots& snapshots,
-        const core::Observer& observer, FlowResult& result, Checkpoints* checkpoints)
+        const core::Observer& observer, FlowResult& result, Checkpoints* checkpoints, const dsc3d::Walls& walls)
         : mesh_(mesh),
           parameters_(parameters),
+          walls_(walls),
           targets_(targets),
           snapshots_(snapshots),
           result_(result),
@@ -65,7 +66,7 @@ public:
         if (checkpoints_ && checkpoints_->state()) {
             equip(*checkpoints_->state());
         } else {
-            deformer_.emplace(mesh_, parameters_, events_);
+            deformer_.emplace(mesh_, parameters_, events_, walls_);
             unchanged_.emplace(mesh_);
             components_.emplace(mesh_);
             result_.steps.push_back(step_record(mesh_, 0, 0, *unchanged_));
@@ -134,7 +135,7 @@ private:
     void equip(const RunState& state) {
         dsc3d::DeformParameters parameters = parameters_;
         parameters.seed += static_cast<std::uint64_t>(state.step);  // not the same random numbers again
-        deformer_.emplace(mesh_, parameters, events_);
+        deformer_.emplace(mesh_, parameters, events_, walls_);
         deformer_->restore_edge_lengths(state.edge_lengths);
         unchanged_.emplace(mesh_, state.unchanged);
         components_.emplace(mesh_);
@@ -163,6 +164,7 @@ private:
 
     dsc3d::Mesh& mesh_;
     dsc3d::DeformParameters parameters_;
+    dsc3d::Walls walls_;
     const Targets& targets_;
     Snapshots& snapshots_;
     FlowResult& result_;
@@ -177,8 +179,9 @@ private:
 }  // namespace
 
 void run_flow(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets,
-              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints) {
-    Run run(mesh, parameters, targets, snapshots, observer, result, checkpoints);
+              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints,
+              const dsc3d::Walls& walls) {
+    Run run(mesh, parameters, targets, snapshots, observer, result, checkpoints, walls);
     run_steps(result, run, observer);
     run.save();
     snapshots.add_last(mesh, result.steps.back().step, result.steps.back().time);

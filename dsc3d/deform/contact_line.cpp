@@ -26,6 +26,14 @@ std::vector<VertexId> along_line(RatedMesh& mesh, VertexId v) {
     return line;
 }
 
+// Whether the way leads into the domain.
+bool leads_inside(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& way) {
+    double inwards = 0;
+    for (const TetId t : mesh.walker().star(v))
+        for (const VertexId u : mesh.complex().vertices(t)) inwards += way.dot(mesh.position(u) - mesh.position(v));
+    return inwards > 0;
+}
+
 }  // namespace
 
 Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& off, InterfaceRing& ring,
@@ -33,6 +41,7 @@ Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vect
     if (off.isZero(0)) return Eigen::Vector3d::Zero();
     Eigen::Matrix3d quadric = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    Eigen::Vector3d outwards = Eigen::Vector3d::Zero();
     double area = 0;
     for (const VertexId u : along_line(mesh, v)) {
         const surface::OneRing sheets = ring.gather(mesh, u);
@@ -44,6 +53,7 @@ Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vect
             const Eigen::Vector3d within = mesh.surface().allowed_on_boundary(v, normal);
             quadric += a * within * within.transpose();
             right += a * normal.dot(off) * within;
+            outwards += a * within;
             area += a;
         }
     }
@@ -57,7 +67,7 @@ Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vect
         const Eigen::Vector3d direction = solver.eigenvectors().col(i);
         slip += direction.dot(right) / value * direction;
     }
-    return slip;
+    return slip.dot(outwards) > 0 && leads_inside(mesh, v, off) ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : slip;
 }
 
 }  // namespace dsc::dsc3d

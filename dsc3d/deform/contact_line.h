@@ -2,7 +2,8 @@
 // Where an interface that ends on a wall goes when its motion leads off the wall or into it. The sheets are taken to go
 // on beyond the wall as planes: these move as asked for, and the contact line is where they meet the wall then. So what
 // is pressed against a wall and pulled off again spreads and recedes as its shape wants; a sheet that stands upright on
-// the wall stays where it is.
+// the wall stays where it is, and so does one that would spread, over the side of the lower label, by being pulled off:
+// what hangs on a wall is drawn out, not widened.
 // Source: the quadric of face offsetting (Jiao, "Face offsetting", 2007; thesis 4.4.1.3) restricted to the wall: with
 // the normals N and areas A of the sheets at the vertex and w the motion off the wall, the slip s within the wall
 // minimizes sum A (N . s - N . w)^2. Guarantee: zero where w is; directions that no sheet determines get nothing. Cost:

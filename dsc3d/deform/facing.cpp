@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace dsc::dsc3d {
 
@@ -89,34 +90,40 @@ std::optional<Facing> waist(const PassContext& context, TetId t, double distance
     return narrowest;
 }
 
-// Of the boundary faces at v, out of the domain.
-Eigen::Vector3d wall_normal(PassContext& context, VertexId v) {
+// Out of the domain, of the boundary face at v that looks most against the direction: at edges of the domain there are
+// several walls.
+Eigen::Vector3d wall_normal(PassContext& context, VertexId v, const Eigen::Vector3d& direction) {
     const Complex& complex = context.complex();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d most = Eigen::Vector3d::Zero();
+    double least = std::numeric_limits<double>::infinity();
     for (const TetId t : context.mesh.walker().star(v)) {
         for (int i = 0; i < 4; ++i) {
             const FaceVertices face = complex.oriented_face(t, i);
             if (std::find(face.begin(), face.end(), v) == face.end() || complex.neighbour(t, i).is_valid()) continue;
             const Point3& p = context.mesh.position(face[0]);
-            sum += (context.mesh.position(face[1]) - p).cross(context.mesh.position(face[2]) - p);
+            const Eigen::Vector3d normal =
+                (context.mesh.position(face[1]) - p).cross(context.mesh.position(face[2]) - p).normalized();
+            if (normal.dot(direction) >= least) continue;
+            least = normal.dot(direction);
+            most = normal;
         }
     }
-    return sum.normalized();
+    return most;
 }
 
 std::optional<Facing> across_to_wall(PassContext& context, TetId t, double distance) {
     const Complex& complex = context.complex();
     const double near = distance * context.least_wanted_length(t);
     std::optional<Facing> nearest;
-    for (const VertexId w : complex.vertices(t)) {
-        if (!complex.is_boundary(w)) continue;
-        const Eigen::Vector3d out = wall_normal(context, w);
-        for (const VertexId v : complex.vertices(t)) {
-            if (complex.is_boundary(v)) continue;
+    for (const VertexId v : complex.vertices(t)) {
+        if (complex.is_boundary(v)) continue;
+        const Eigen::Vector3d normal = region_normal(context, v, complex.label(t));
+        for (const VertexId w : complex.vertices(t)) {
+            if (!complex.is_boundary(w)) continue;
+            const Eigen::Vector3d out = wall_normal(context, w, normal);
             const double gap = out.dot(context.mesh.position(w) - context.mesh.position(v));
             if (gap >= (nearest ? nearest->gap : near)) continue;
-            if (region_normal(context, v, complex.label(t)).dot(out) >= context.parameters.wall_cosine) continue;
-            nearest = {v, w, gap, out};
+            if (normal.dot(out) < context.parameters.wall_cosine) nearest = {v, w, gap, out};
         }
     }
     return nearest;

@@ -35,7 +35,7 @@ public:
     bool collapse_at(RatedMesh& mesh, EdgeId e, VertexId kept, const Point3& place, double enough);
 
 private:
-    void take_patches(const RatedMesh& mesh, VertexId kept, VertexId gone);
+    bool take_patches(const RatedMesh& mesh, VertexId kept, VertexId gone);
     bool keeps_topology_of_surface(const Complex& complex, EdgeId e, VertexId kept, VertexId gone,
                                    std::span<const TetId> star_of_kept);
 

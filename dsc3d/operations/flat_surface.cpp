@@ -357,11 +357,25 @@ Point3 FlatSurface::settled(const Freedom& freedom, const Point3& position) cons
 bool FlatSurface::has_room(VertexId v, const Point3& position) const {
     switch (motion(v)) {
         case VertexMotion::free: return true;
-        case VertexMotion::plane:
-        case VertexMotion::line: return (settled(v, position) - position).norm() <= half_tolerance_;
+        case VertexMotion::plane: {
+            const Patch& patch = patches_[static_cast<std::size_t>(freedom_[v].carrier)];
+            if (patch.wall) return (patch.wall->nearest(position) - position).norm() <= half_tolerance_;
+            return std::abs(patch.normal.dot(position - patch.point)) <= half_tolerance_;
+        }
+        case VertexMotion::line: {
+            const Line& line = lines_[static_cast<std::size_t>(freedom_[v].carrier)];
+            const Eigen::Vector3d from_start = position - line.point;
+            return (from_start - line.direction.dot(from_start) * line.direction).norm() <= half_tolerance_;
+        }
         case VertexMotion::fixed: break;
     }
     return false;
+}
+
+bool FlatSurface::allows_edge(std::int32_t patch, const Point3& p, const Point3& q) const {
+    static const double least_cosine = std::cos(6 * std::numbers::pi / 180);
+    const Wall* wall = patches_[static_cast<std::size_t>(patch)].wall;
+    return !wall || wall->normal(p).dot(wall->normal(q)) >= least_cosine;
 }
 
 bool FlatSurface::is_ridge(const Complex& complex, EdgeId e, EdgeRing& ring) const {

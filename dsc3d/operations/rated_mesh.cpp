@@ -97,14 +97,17 @@ void RatedMesh::exchange(std::span<const TetId> removed, std::span<const NewTet>
         for (const VertexId v : added[i].vertices) changed_[v] = time_;
         if (transaction_.is_open()) transaction_.note_new(change.added_tets[i]);
     }
-    for (const FaceId f : change.added_faces) {
-        if (!surface_.has_patch(complex(), f)) continue;
-        const FaceVertices corners = complex().vertices(f);
-        const auto known = std::find_if(surface.begin(), surface.end(), [&](const SurfaceFace& face) {
-            return std::is_permutation(corners.begin(), corners.end(), face.vertices.begin());
-        });
-        DSC_ASSERT(known != surface.end());
-        surface_.set_patch(f, known->patch);
+    // Behind a curved wall a face inside may come to be one of the boundary, when a change is taken back.
+    for (const TetId t : change.added_tets) {
+        for (const FaceId f : complex().faces(t)) {
+            if (!surface_.has_patch(complex(), f)) continue;
+            const FaceVertices corners = complex().vertices(f);
+            const auto known = std::find_if(surface.begin(), surface.end(), [&](const SurfaceFace& face) {
+                return std::is_permutation(corners.begin(), corners.end(), face.vertices.begin());
+            });
+            if (known != surface.end()) surface_.set_patch(f, known->patch);
+            DSC_ASSERT(surface_.patch(f) != FlatSurface::no_patch);
+        }
     }
 }
 
