@@ -15,13 +15,17 @@ namespace dsc::flow {
 
 namespace {
 
-// What is on a wall slides on it, wherever its target is.
+// What is on a wall slides on it, wherever its target is, and what comes to one may touch it where the background may
+// be squeezed away.
 void require_places(const dsc3d::Mesh& mesh, const std::vector<std::optional<Point3>>& targets,
-                    const Eigen::AlignedBox3d& domain, double time) {
+                    const Eigen::AlignedBox3d& domain, const dsc3d::DeformParameters& parameters, double time) {
+    const bool may_touch =
+        motion::allows_change(parameters.topology, parameters.background_label, parameters.background_label);
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
         if (!targets[i]) continue;
         const bool is_finite = targets[i]->allFinite();
-        if (is_finite && (domain.contains(*targets[i]) || mesh.complex().is_boundary(dsc3d::VertexId(i)))) continue;
+        if (is_finite && (may_touch || domain.contains(*targets[i]) || mesh.complex().is_boundary(dsc3d::VertexId(i))))
+            continue;
         const Point3& p = mesh.position(dsc3d::VertexId(i));
         throw core::RunError(fmt::format("the motion of vertex {} at ({:.6g}, {:.6g}, {:.6g}) {} at time {}", i, p.x(),
                                          p.y(), p.z(), is_finite ? "leads out of the domain" : "is not finite",
@@ -50,9 +54,10 @@ private:
 class Run {
 public:
     Run(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets, Snapshots& snapshots,
-        const core::Observer& observer, FlowResult& result, Checkpoints* checkpoints)
+        const core::Observer& observer, FlowResult& result, Checkpoints* checkpoints, const dsc3d::Walls& walls)
         : mesh_(mesh),
           parameters_(parameters),
+          walls_(walls),
           targets_(targets),
           snapshots_(snapshots),
           result_(result),
@@ -61,7 +66,7 @@ public:
         if (checkpoints_ && checkpoints_->state()) {
             equip(*checkpoints_->state());
         } else {
-            deformer_.emplace(mesh_, parameters_, events_);
+            deformer_.emplace(mesh_, parameters_, events_, walls_);
             unchanged_.emplace(mesh_);
             components_.emplace(mesh_);
             result_.steps.push_back(step_record(mesh_, 0, 0, *unchanged_));
@@ -81,7 +86,7 @@ public:
         const double start = result_.time.time(step - 1), time = result_.time.time(step);
         watch = {};
         const StepMotion wanted = targets_(mesh_, start, time - start);
-        require_places(mesh_, wanted.targets, result_.domain, start);
+        require_places(mesh_, wanted.targets, result_.domain, parameters_, start);
         milliseconds.emplace_back("targets", 1e3 * watch.seconds());
         watch = {};
         deformer_->set_edge_lengths(wanted.edge_lengths);
@@ -130,7 +135,7 @@ private:
     void equip(const RunState& state) {
         dsc3d::DeformParameters parameters = parameters_;
         parameters.seed += static_cast<std::uint64_t>(state.step);  // not the same random numbers again
-        deformer_.emplace(mesh_, parameters, events_);
+        deformer_.emplace(mesh_, parameters, events_, walls_);
         deformer_->restore_edge_lengths(state.edge_lengths);
         unchanged_.emplace(mesh_, state.unchanged);
         components_.emplace(mesh_);
@@ -159,6 +164,7 @@ private:
 
     dsc3d::Mesh& mesh_;
     dsc3d::DeformParameters parameters_;
+    dsc3d::Walls walls_;
     const Targets& targets_;
     Snapshots& snapshots_;
     FlowResult& result_;
@@ -173,8 +179,9 @@ private:
 }  // namespace
 
 void run_flow(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets,
-              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints) {
-    Run run(mesh, parameters, targets, snapshots, observer, result, checkpoints);
+              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints,
+              const dsc3d::Walls& walls) {
+    Run run(mesh, parameters, targets, snapshots, observer, result, checkpoints, walls);
     run_steps(result, run, observer);
     run.save();
     snapshots.add_last(mesh, result.steps.back().step, result.steps.back().time);

@@ -32,8 +32,9 @@ using Targets = std::function<StepMotion(const dsc3d::Mesh& mesh, double time, d
 /// for it, no interface is left, or there are no targets, or one is not finite: then the mesh is in its last good
 /// state, and the result says why. With checkpoints, mesh and deformer are made again from each of them; when these
 /// have a state already, the run goes on from it: the mesh has to be that of the state, and result and snapshots what
-/// has come up to there.
+/// has come up to there. `walls`: the curved ones of the domain.
 void run_flow(dsc3d::Mesh& mesh, const dsc3d::DeformParameters& parameters, const Targets& targets,
-              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints = nullptr);
+              Snapshots& snapshots, core::Observer& observer, FlowResult& result, Checkpoints* checkpoints = nullptr,
+              const dsc3d::Walls& walls = {});
 
 }  // namespace dsc::flow

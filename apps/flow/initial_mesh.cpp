@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <set>
 
 #include "core/assert.h"
@@ -11,6 +12,7 @@
 #include "dsc3d/generate/remesh.h"
 #include "dsc3d/generate/shapes.h"
 #include "dsc3d/generate/tetrahedralize.h"
+#include "dsc3d/generate/vessel.h"
 #include "dsc3d/interface.h"
 #include "io/closed_surface.h"
 #include "io/surface_mesh.h"
@@ -68,7 +70,8 @@ bool is_tet_file(const std::string& path) {
 }
 
 InitialMesh from_tets(const ShapeOptions& options) {
-    if (options.domain) throw core::UsageError("--domain: a tetrahedral mesh from a file is its own domain");
+    if (options.domain || options.sphere)
+        throw core::UsageError("--domain: a tetrahedral mesh from a file is its own domain");
     InitialMesh result{.data = io::read_tet_mesh(options.path).data};
     const dsc3d::Interface interface(dsc3d::Mesh(result.data, options.path));
     if (interface.faces.empty())
@@ -76,6 +79,28 @@ InitialMesh from_tets(const ShapeOptions& options) {
                                "give each region a label of its own");
     result.domain = bounds(result.data.vertices);
     result.edge_length = options.edge_length.value_or(mean_edge_length(interface.data.surface));
+    return result;
+}
+
+// Edges of the vessel grow with the distance from the interface, as those of the tetrahedra do later.
+SurfaceData vessel(const SphericalDomain& sphere, const SurfaceData& interface, double edge_length) {
+    constexpr double growth = 0.6;
+    double farthest = 0;
+    for (const Point3& p : interface.vertices) farthest = std::max(farthest, (p - sphere.centre).norm());
+    if (farthest >= sphere.radius) throw core::UsageError("--domain: the surface leaves the sphere; make it larger");
+    const double length = edge_length + growth * (sphere.radius - farthest);
+    // Edges that don't cut off more of the sphere than the deformation does.
+    constexpr std::uint32_t least_frequency = 12;
+    return dsc3d::icosphere(sphere.centre, sphere.radius,
+                            std::max(least_frequency, dsc3d::icosphere_frequency(sphere.radius, length)));
+}
+
+InitialMesh in_sphere(const InterfaceData& interface, const ShapeOptions& options, core::Observer& observer) {
+    InitialMesh result;
+    result.domain = box_around(options.sphere->centre, Point3::Constant(2 * options.sphere->radius));
+    result.edge_length = mean_edge_length(interface.surface);
+    result.data = dsc3d::tetrahedralize_within(
+        interface, vessel(*options.sphere, interface.surface, result.edge_length), {}, observer);
     return result;
 }
 
@@ -98,6 +123,7 @@ InitialMesh from_surface(const ShapeOptions& options, core::Observer& observer) 
         if (options.feature_angle) parameters.feature_angle = *options.feature_angle;
         surface = dsc3d::remeshed(surface, parameters);
     }
+    if (options.sphere) return in_sphere(of_one_label(std::move(surface)), options, observer);
     return around(surface, surface, options, observer);
 }
 
@@ -148,10 +174,16 @@ InterfaceData shape_surface(const ShapeOptions& options) {
     return {};
 }
 
+dsc3d::Walls domain_walls(const ShapeOptions& options) {
+    if (!options.sphere) return {};
+    return {std::make_shared<dsc3d::SphereWall>(options.sphere->centre, options.sphere->radius)};
+}
+
 InitialMesh initial_mesh(const ShapeOptions& options, core::Observer& observer) {
     if (options.shape == Shape::file)
         return is_tet_file(options.path) ? from_tets(options) : from_surface(options, observer);
     const InterfaceData data = shape_surface(options);
+    if (options.sphere) return in_sphere(data, options, observer);
     return around(data, data.surface, options, observer);
 }
 

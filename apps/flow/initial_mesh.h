@@ -7,6 +7,7 @@
 
 #include "apps/flow/options.h"
 #include "core/observer.h"
+#include "dsc3d/operations/wall.h"
 #include "geometry/interface_data.h"
 #include "geometry/tet_data.h"
 
@@ -14,12 +15,15 @@ namespace dsc::flow {
 
 struct InitialMesh {
     geometry::TetData data;
-    Eigen::AlignedBox3d domain;
-    double edge_length = 0;  ///< mean of the interface
+    Eigen::AlignedBox3d domain;  ///< or the box around it
+    double edge_length = 0;      ///< mean of the interface
 };
 
 /// Throws core::InputError, core::UsageError and core::RunError.
 InitialMesh initial_mesh(const ShapeOptions& options, core::Observer& observer);
+
+/// The curved walls of the domain.
+dsc3d::Walls domain_walls(const ShapeOptions& options);
 
 /// The surface of a shape by name, with the labels on either side. Precondition: not a file.
 geometry::InterfaceData shape_surface(const ShapeOptions& options);

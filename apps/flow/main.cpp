@@ -48,7 +48,8 @@ Targets motion_of(const Options& options, const FlowResult& result) {
 int finish(const Options& options, const Targets& targets, dsc3d::Mesh& mesh, FlowResult& result, Snapshots& snapshots,
            Checkpoints* checkpoints, apps::ProgressObserver& observer) {
     remove_unfinished_files(options.folder);
-    run_flow(mesh, deformation(options, result.edge_length), targets, snapshots, observer, result, checkpoints);
+    run_flow(mesh, deformation(options, result.edge_length), targets, snapshots, observer, result, checkpoints,
+             domain_walls(options.shape));
     write_results(options, mesh, result, snapshots);
     observer.clear();
     if (!options.common.quiet) fmt::print("{}", report_text(result));

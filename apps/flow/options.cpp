@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "apps/common/number_list.h"
@@ -32,10 +33,20 @@ void parse_size(const std::string& text, ShapeOptions& options) {
         throw core::UsageError("--size: a slotted cube has one length");
 }
 
+constexpr std::string_view sphere_prefix = "sphere:";
+
+SphericalDomain parsed_sphere(const std::string& text) {
+    const std::vector<double> n = apps::parsed_numbers("--domain", text.substr(sphere_prefix.size()));
+    if ((n.size() != 1 && n.size() != 4) || !(n.back() > 0))
+        throw core::UsageError("--domain: \"" + text + "\" is not sphere:radius or sphere:x,y,z,radius");
+    return {n.size() == 4 ? Point3(n[0], n[1], n[2]) : Point3(0.5, 0.5, 0.5), n.back()};
+}
+
 Eigen::AlignedBox3d parsed_domain(const std::string& text) {
     const std::vector<double> n = apps::parsed_numbers("--domain", text);
     if (n.size() != 6 || !(n[0] < n[3] && n[1] < n[4] && n[2] < n[5]))
-        throw core::UsageError("--domain: \"" + text + "\" is not x0,y0,z0,x1,y1,z1 with lower corner first");
+        throw core::UsageError("--domain: \"" + text +
+                               "\" is not x0,y0,z0,x1,y1,z1 with lower corner first, or sphere:x,y,z,radius");
     return {Point3(n[0], n[1], n[2]), Point3(n[3], n[4], n[5])};
 }
 
@@ -54,7 +65,11 @@ void parse_texts(const Texts& texts, Options& options) {
     }
     if (texts.centre) options.shape.centre = apps::parsed_point<3>("--center", *texts.centre);
     if (texts.size) parse_size(*texts.size, options.shape);
-    if (texts.domain) options.shape.domain = parsed_domain(*texts.domain);
+    if (texts.domain && texts.domain->starts_with(sphere_prefix)) {
+        options.shape.sphere = parsed_sphere(*texts.domain);
+    } else if (texts.domain) {
+        options.shape.domain = parsed_domain(*texts.domain);
+    }
 
     MotionOptions& motion = options.motion;
     motion.motion = value_of(motion_names, texts.motion);
@@ -155,7 +170,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
                 "edges bent by more than this stay sharp when a surface is remeshed, in degrees (default 40)",
                 {.above = 0, .at_most = 180});
     line.text("--domain", texts.domain,
-              "x0,y0,z0,x1,y1,z1 (default: the unit box, or twice the size of what has no room there)");
+              "x0,y0,z0,x1,y1,z1 (default: the unit box, or twice the size of what has no room there); in space also "
+              "sphere:x,y,z,radius, or sphere:radius around 0.5,0.5,0.5");
     planar::Texts planar_texts;
     planar::add_options(line, planar_texts);
     line.heading("Motion");

@@ -19,6 +19,11 @@ using geometry::Point3;
 
 enum class Shape : std::uint8_t { sphere, box, torus, dumbbell, two_spheres, slotted_cube, labelled_block, file };
 
+struct SphericalDomain {
+    Point3 centre;
+    double radius;
+};
+
 /// Sizes that were not given follow from the shape: see initial_mesh.h.
 struct ShapeOptions {
     Shape shape = Shape::sphere;
@@ -33,6 +38,7 @@ struct ShapeOptions {
     std::optional<double> edge_length;
     std::optional<double> feature_angle;  ///< of a surface from a file that is remeshed [degree]
     std::optional<Eigen::AlignedBox3d> domain;
+    std::optional<SphericalDomain> sphere;  ///< instead of a box
 };
 
 enum class Motion : std::uint8_t {

@@ -49,7 +49,8 @@ private:
     Point3 there(const RatedMesh& mesh, VertexId v) const {
         if (!is_mover(v)) return mesh.position(v);
         const std::size_t i = place_[v] - 1;
-        return share_[i] == 1 ? goal_[i] : Point3(mesh.position(v) + share_[i] * (goal_[i] - mesh.position(v)));
+        if (share_[i] == 1) return goal_[i];
+        return mesh.on_boundary(v, mesh.position(v) + share_[i] * (goal_[i] - mesh.position(v)));
     }
     double rate(const RatedMesh& mesh, TetId t, bool& is_positive) const;
 

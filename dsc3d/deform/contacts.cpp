@@ -42,6 +42,8 @@ bool Contacts::run(PassContext& context, int substep, double distance) {
     }
     for (const auto& [seed, label] : seeds_)
         if (complex.label(seed) == label && may_give_way(context, seed)) close_gap(context, seed, substep);
+    for (const TetId t : context.region.tets())
+        if (!complex.is_deleted(t) && may_give_way(context, t)) lift_foot(context, t, substep);
     core::sort_unique(touched_);
     return !touched_.empty();
 }
@@ -57,8 +59,29 @@ bool Contacts::may_give_way(const PassContext& context, TetId t) const {
 }
 
 void Contacts::close_gap(PassContext& context, TetId seed, int substep) {
-    const int loser = context.complex().label(seed);
     gather_gap(context, seed);
+    give_way(context, seed, substep);
+}
+
+// The foot of its region that t has a face of, if it has.
+void Contacts::lift_foot(PassContext& context, TetId t, int substep) {
+    const Complex& complex = context.complex();
+    const auto is_foot = [&](FaceId f) {
+        if (!complex.is_boundary(f)) return false;
+        const FaceVertices corners = complex.vertices(f);
+        return std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return complex.is_interface(v); }) &&
+               foot_.find(context, f);
+    };
+    const std::array<FaceId, 4> faces = complex.faces(t);
+    if (std::none_of(faces.begin(), faces.end(), is_foot)) return;
+    gap_.assign(foot_.tets().begin(), foot_.tets().end());
+    if (std::all_of(gap_.begin(), gap_.end(), [&](TetId s) { return may_give_way(context, s); }))
+        give_way(context, t, substep);
+}
+
+// The gap goes to the region around it.
+void Contacts::give_way(PassContext& context, TetId seed, int substep) {
+    const int loser = context.complex().label(seed);
     const std::optional<int> found = winner(context);
     if (!found) return;
     const int winner = *found;

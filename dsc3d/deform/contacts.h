@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where parts of the interface collide: the thin region between them, as far as it is thin, is given to the region that
 // touches most of it, and so is what else is needed for both to be manifolds there. Objects merge when the background
-// is squeezed away between them, and split when they are themselves. Source: thesis 4.3.2.1 (relabelling), 5.2.1
-// (topology control). Guarantee: a change of labels leaves every tetrahedron as it is, so that nothing can become
-// invalid; what a policy forbids is not made; labels change in one direction only: what has won a place is not squeezed
-// away there in the same step. Cost: linear in the region and in what changes.
+// is squeezed away between them, and split when they are themselves. In the same way they come to a wall of the domain,
+// when the background is squeezed away in front of it, and leave it, when the last of their contact is. Source:
+// thesis 4.3.2.1 (relabelling), 5.2.1 (topology control). Guarantee: a change of labels leaves every tetrahedron as it
+// is, so that nothing can become invalid; what a policy forbids is not made; labels change in one direction only: what
+// has won a place is not squeezed away there in the same step. Cost: linear in the region and in what changes.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "dsc3d/deform/facing.h"
+#include "dsc3d/deform/foot.h"
 #include "dsc3d/deform/pinches.h"
 
 namespace dsc::dsc3d {
@@ -38,6 +40,8 @@ private:
 
     bool may_give_way(const PassContext& context, TetId t) const;
     void close_gap(PassContext& context, TetId seed, int substep);
+    void lift_foot(PassContext& context, TetId seed, int substep);
+    void give_way(PassContext& context, TetId seed, int substep);
     void gather_gap(PassContext& context, TetId seed);
     std::optional<int> winner(const PassContext& context) const;
     void open_pinches(PassContext& context, std::size_t first_touched, int winner, int loser);
@@ -49,6 +53,7 @@ private:
     core::Attribute<VertexId, Claim> claim_;
     core::Marks<TetId> seen_;
     Pinches pinches_;
+    Foot foot_;
     std::vector<std::pair<TetId, int>> seeds_;  ///< with the label to be squeezed away
     std::vector<TetId> gap_;
     std::vector<VertexId> touched_;

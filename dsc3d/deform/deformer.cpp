@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/assert.h"
 #include "core/errors.h"
@@ -25,11 +26,11 @@ Listener& silent_listener() {
 
 }  // namespace
 
-Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& listener)
+Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& listener, Walls walls)
     : mesh_(mesh),
       parameters_(validated(parameters)),
       listener_(listener),
-      rated_(mesh, geometry::QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh)),
+      rated_(mesh, geometry::QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh, std::move(walls))),
       wanted_length_(mesh, parameters.edge_length, parameters.growth),
       advance_(mesh),
       upkeep_(rated_, parameters.seed),
@@ -37,6 +38,9 @@ Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& lis
       interface_control_(mesh),
       start_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       goal_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      wanted_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      slip_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      off_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       target_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       way_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       is_moving_(mesh.complex().vertex_attributes(), 0) {
@@ -143,6 +147,7 @@ void Deformer::finish(PassContext& context) {
     for (const TetId t : region_.tets())
         if (rated_.quality(t) < parameters_.bad_quality) bad.push_back(t);
     if (parameters_.controls_interface) {
+        rim_control_.run(context, interface_control_.changed_edges(context));
         interface_control_.run(context);
         maintain(context);
         region_.add(bad);
@@ -170,15 +175,13 @@ void Deformer::set_targets(std::span<const std::optional<Point3>> targets) {
         if (!targets[i]->allFinite()) refuse("it is not finite");
         start_[v] = mesh_.position(v);
         goal_[v] = at_wall(v, *targets[i]);
+        wanted_[v] = *targets[i];
+        slip_[v].setZero();
+        off_[v].setZero();
         if (goal_[v] == mesh_.position(v) && goal_[v] != *targets[i]) held_at_wall_.emplace_back(v, *targets[i]);
         moving_.push_back(v);
     }
     for (const VertexId v : moving_) is_moving_[v] = 1;
-}
-
-Point3 Deformer::at_wall(VertexId v, const Point3& target) const {
-    if (!mesh_.complex().is_boundary(v)) return target;
-    return rated_.surface().along_boundary(v, mesh_.position(v), target);
 }
 
 int Deformer::wanted_substeps(const Path& path) const {
@@ -215,13 +218,29 @@ double Deformer::way_left() const {
 // The target of every moving vertex after this share of the step.
 void Deformer::aim(double share, const Path& path) {
     for (const VertexId v : moving_) {
-        if (share == 1) {
-            target_[v] = goal_[v];
-        } else {
-            target_[v] = path ? at_wall(v, path(start_[v], share)) : Point3(start_[v] + share * (goal_[v] - start_[v]));
-        }
+        if (mesh_.complex().is_boundary(v)) aim_at_wall(v, share, path);
+        target_[v] = share == 1 ? goal_[v] : at_wall(v, wanted_place(v, share, path) + slip_[v]);
         way_[v] = target_[v] - mesh_.position(v);
     }
+}
+
+// Where v would be without walls.
+Point3 Deformer::wanted_place(VertexId v, double share, const Path& path) const {
+    const Point3& end = mesh_.complex().is_boundary(v) ? wanted_[v] : goal_[v];
+    if (share == 1) return end;
+    return path ? path(start_[v], share) : Point3(start_[v] + share * (end - start_[v]));
+}
+
+// What leads off the wall in this substep makes the contact line slip.
+void Deformer::aim_at_wall(VertexId v, double share, const Path& path) {
+    const Point3 wanted = wanted_place(v, share, path);
+    const Eigen::Vector3d off = wanted - at_wall(v, wanted);
+    Eigen::Vector3d slip = contact_line_slip(rated_, v, off - off_[v], ring_);
+    const double longest = parameters_.stride * wanted_length_.at(v);
+    if (slip.norm() > longest) slip *= longest / slip.norm();
+    off_[v] = off;
+    slip_[v] += slip;
+    goal_[v] = at_wall(v, wanted_[v] + slip_[v]);
 }
 
 // Algorithm 5, after those vertices have gone that can go together.
@@ -280,7 +299,8 @@ void Deformer::report_unfinished(PassContext& context) {
         report.is_complete = report.is_complete && is_locked;
     }
     for (const auto& [v, target] : held_at_wall_)
-        if (mesh_.complex().is_interface(v)) report.unfinished.push_back({v, target - mesh_.position(v), true});
+        if (mesh_.complex().is_interface(v) && goal_[v] == start_[v])
+            report.unfinished.push_back({v, target - mesh_.position(v), true});
     Contacts::report_held(context);
     for (const VertexId v : moving_) release(v);
     moving_.clear();

@@ -2,8 +2,8 @@
 // The 3D deformation step: moves vertices of the interface to their targets through valid complexes only.
 // Source: thesis 4.3, algorithms 4 and 5; 4.3.2. Guarantee: after every single operation all tetrahedra are positive by
 // exact predicate; the outer boundary keeps its shape; motion that was not made is reported. Where parts of the
-// interface meet, they merge, split or are stopped, as the topology policy says. Same input, same bits. Cost: linear in
-// the stars of what moves, not in the mesh.
+// interface meet, they merge, split or are stopped, as the topology policy says; the walls of the domain are met,
+// followed and left by the same rules. Same input, same bits. Cost: linear in the stars of what moves, not in the mesh.
 //
 //     dsc3d::Deformer deformer(mesh, {.edge_length = 0.05});
 //     std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
@@ -19,9 +19,11 @@
 
 #include "core/attribute.h"
 #include "dsc3d/deform/advance.h"
+#include "dsc3d/deform/contact_line.h"
 #include "dsc3d/deform/contacts.h"
 #include "dsc3d/deform/detail.h"
 #include "dsc3d/deform/interface_control.h"
+#include "dsc3d/deform/rim_control.h"
 #include "dsc3d/deform/upkeep.h"
 
 namespace dsc::dsc3d {
@@ -31,8 +33,9 @@ public:
     /// Where a vertex that started at `start` is at a share of the step, from 0 to 1.
     using Path = std::function<Point3(const Point3& start, double share)>;
 
-    /// Throws core::UsageError for invalid parameters. The mesh and the listener must outlive the deformer.
-    Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& listener);
+    /// `walls`: the curved ones among the sides of the domain; flat ones are found. Throws core::UsageError for invalid
+    /// parameters. The mesh and the listener must outlive the deformer.
+    Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& listener, Walls walls = {});
     Deformer(Mesh& mesh, const DeformParameters& parameters);
 
     const DeformParameters& parameters() const { return parameters_; }
@@ -46,7 +49,8 @@ public:
     void restore_edge_lengths(std::span<const double> lengths);
 
     /// Moves every vertex that has a target (indexed by vertex, missing entries mean none) straight to it; one on the
-    /// boundary goes along it, to the place nearest to its target, and is reported as held where that is its own place.
+    /// boundary goes along it, to the place nearest to its target and as far beyond as its sheets take it there
+    /// (contact_line.h), and is reported as held where that is its own place.
     /// Throws core::UsageError when a deleted vertex or one off the interface has a target, or a target is not finite,
     /// and core::RunError when a way would take too many substeps; nothing has moved then.
     StepReport step(std::span<const std::optional<Point3>> targets);
@@ -58,7 +62,9 @@ public:
 
 private:
     void set_targets(std::span<const std::optional<Point3>> targets);
-    Point3 at_wall(VertexId v, const Point3& target) const;
+    Point3 at_wall(VertexId v, const Point3& target) const { return rated_.on_boundary(v, target); }
+    Point3 wanted_place(VertexId v, double share, const Path& path) const;
+    void aim_at_wall(VertexId v, double share, const Path& path);
     int wanted_substeps(const Path& path) const;
     void aim(double share, const Path& path);
     double way_left() const;
@@ -86,8 +92,13 @@ private:
     Upkeep upkeep_;
     Contacts contacts_;
     InterfaceControl interface_control_;
+    RimControl rim_control_;
+    InterfaceRing ring_;
     core::Attribute<VertexId, Point3> start_;
     core::Attribute<VertexId, Point3> goal_;
+    core::Attribute<VertexId, Point3> wanted_;  ///< the goal of a vertex on a wall, which need not lie on it
+    core::Attribute<VertexId, Point3> slip_;    ///< along its wall so far, because of what leads off the wall
+    core::Attribute<VertexId, Point3> off_;     ///< from its wall, of where it was wanted last
     core::Attribute<VertexId, Point3> target_;  ///< of the substep
     core::Attribute<VertexId, Point3> way_;     ///< to it, from where the vertex was at the start of the substep
     core::Attribute<VertexId, std::uint8_t> is_moving_;

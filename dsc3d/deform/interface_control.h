@@ -24,12 +24,13 @@ public:
     /// Takes that back.
     void reconsider();
 
+    /// Edges of the interface in the region that have got another length.
+    std::vector<EdgeId> changed_edges(PassContext& context) const;
     /// Afterwards the region is what has been changed.
     void run(PassContext& context);
 
 private:
     bool has_changed(const PassContext& context, EdgeId e) const;
-    std::vector<EdgeId> changed_edges(PassContext& context) const;
 
     // All of them may find candidates deleted, or in use for another edge since.
     void collapse_short_edges(PassContext& context, std::span<const EdgeId> candidates);

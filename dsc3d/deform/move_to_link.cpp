@@ -34,7 +34,7 @@ bool move_to_link(RatedMesh& mesh, VertexId v, const Point3& target, const MoveT
     const double to_link = share_to_link(mesh, star, v, target);
     if (to_link > 1 && mesh.move(v, target, star, least)) return true;
     for (double share = parameters.approach * std::min(to_link, 1.0); share > parameters.least_share; share *= 0.5)
-        if (mesh.move(v, start + share * (target - start), star, least)) break;
+        if (mesh.move(v, mesh.on_boundary(v, start + share * (target - start)), star, least)) break;
     return false;
 }
 

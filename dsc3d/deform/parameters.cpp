@@ -16,9 +16,11 @@ void DeformParameters::validate() const {
     require(growth >= 0, "growth", "at least 0");
     require(contact_distance > 0, "contact_distance", "positive");
     require(contact_cosine > -1 && contact_cosine < 0, "contact_cosine", "in (-1, 0)");
+    require(wall_cosine > -1 && wall_cosine < 0, "wall_cosine", "in (-1, 0)");
     require(waist_share > 0 && waist_share <= 1, "waist_share", "in (0, 1]");
     require(gap_width >= contact_distance, "gap_width", "at least contact_distance");
     require(gap_reach >= 0, "gap_reach", "at least 0");
+    require(foot_width > 0, "foot_width", "positive");
     require(crumb_volume >= 0, "crumb_volume", "at least 0");
     require(stride > 0, "stride", "positive");
     require(most_substeps >= 1, "most_substeps", "at least 1");

@@ -32,6 +32,9 @@ struct DeformParameters {
     double contact_distance = 0.25;
     /// ... if the cosine of the angle between their normals is below this. In (-1, 0).
     double contact_cosine = -0.3;
+    /// ... and a sheet with a wall, if the cosine of the angle between its normal and that of the wall is below this:
+    /// steeper ones meet it at a contact line, which moves. In (-1, 0).
+    double wall_cosine = -0.85;
     /// A waist is squeezed away where an edge across it is shorter than this share of the distance: in a groove an edge
     /// may go from side to side too, but hardly a shorter one. In (0, 1].
     double waist_share = 0.5;
@@ -39,6 +42,8 @@ struct DeformParameters {
     double gap_width = 0.5;
     /// ... and this near to the place where they met. >= 0.
     double gap_reach = 2;
+    /// The last of a region's contact with a wall is let go where it is no wider than this and contracts. > 0.
+    double foot_width = 2;
     /// What is left over and smaller than this, in cubed edge lengths, goes with it. >= 0.
     double crumb_volume = 0.3;
 

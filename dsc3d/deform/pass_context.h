@@ -23,10 +23,7 @@ struct PassContext {
     StepReport& report;
 
     const Complex& complex() const { return mesh.complex(); }
-    Point3 middle(EdgeId e) const {
-        const auto [a, b] = complex().vertices(e);
-        return 0.5 * (mesh.position(a) + mesh.position(b));
-    }
+    Point3 middle(EdgeId e) const { return mesh.middle(e); }
     double length(EdgeId e) const {
         const auto [a, b] = complex().vertices(e);
         return (mesh.position(a) - mesh.position(b)).norm();

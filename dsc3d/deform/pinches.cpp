@@ -10,10 +10,10 @@ namespace dsc::dsc3d {
 
 std::span<const TetId> Pinches::find(PassContext& context, VertexId v, int winner, int loser) {
     found_.clear();
-    if (context.complex().is_boundary(v)) return found_;
     gather(context, v, winner, loser);
     join_pieces(context, winner, loser);
     if (found_.empty()) smallest_piece(loser);
+    if (found_.empty()) pieces_off_the_wall(loser);
     if (found_.empty()) {
         // A ring of the loser between the winner and a third region.
         take_others_as(context, winner, loser);
@@ -29,35 +29,41 @@ void Pinches::gather(PassContext& context, VertexId v, int winner, int loser) {
     const std::span<const TetId> star = context.mesh.walker().star(v);
     star_.assign(star.begin(), star.end());
     std::sort(star_.begin(), star_.end());
-    neighbours_.resize(star_.size());
+    const std::size_t outside = star_.size();
+    const std::size_t places = outside + (complex.is_boundary(v) ? 1 : 0);
+    neighbours_.resize(places);
+    for (std::vector<std::size_t>& neighbours : neighbours_) neighbours.clear();
     for (std::size_t i = 0; i < star_.size(); ++i) {
-        std::size_t count = 0;
         for (int k = 0; k < 4; ++k) {
             if (complex.vertices(star_[i])[static_cast<std::size_t>(k)] == v) continue;
             const TetId next = complex.neighbour(star_[i], k);
-            neighbours_[i][count++] =
-                static_cast<int>(std::lower_bound(star_.begin(), star_.end(), next) - star_.begin());
+            const std::size_t place =
+                next.is_valid()
+                    ? static_cast<std::size_t>(std::lower_bound(star_.begin(), star_.end(), next) - star_.begin())
+                    : outside;
+            neighbours_[i].push_back(place);
+            if (is_outside(place)) neighbours_[outside].push_back(i);
         }
     }
-    label_.resize(star_.size());
+    label_.assign(places, std::nullopt);
     for (std::size_t i = 0; i < star_.size(); ++i) label_[i] = complex.label(star_[i]);
     find_pieces(context, winner, loser);
 }
 
 // All but the loser is the winner's.
 void Pinches::take_others_as(PassContext& context, int winner, int loser) {
-    for (int& label : label_)
+    for (std::optional<int>& label : label_)
         if (label != loser) label = winner;
     find_pieces(context, winner, loser);
 }
 
 void Pinches::find_pieces(PassContext& context, int winner, int loser) {
     pieces_.clear();
-    piece_of_.assign(star_.size(), -1);
+    piece_of_.assign(label_.size(), -1);
     std::vector<std::size_t> front;
-    for (std::size_t first = 0; first < star_.size(); ++first) {
-        const int label = label_[first];
-        if (piece_of_[first] >= 0 || (label != winner && label != loser)) continue;
+    for (std::size_t first = 0; first < label_.size(); ++first) {
+        if (piece_of_[first] >= 0 || (label_[first] != winner && label_[first] != loser)) continue;
+        const int label = *label_[first];
         const int piece = static_cast<int>(pieces_.size());
         pieces_.push_back({label, 0});
         piece_of_[first] = piece;
@@ -65,9 +71,8 @@ void Pinches::find_pieces(PassContext& context, int winner, int loser) {
         while (!front.empty()) {
             const std::size_t i = front.back();
             front.pop_back();
-            pieces_.back().volume += context.volume(star_[i]);
-            for (const int j : neighbours_[i]) {
-                const auto next = static_cast<std::size_t>(j);
+            pieces_.back().volume += volume(context, i);
+            for (const std::size_t next : neighbours_[i]) {
                 if (piece_of_[next] >= 0 || label_[next] != label) continue;
                 piece_of_[next] = piece;
                 front.push_back(next);
@@ -89,7 +94,7 @@ void Pinches::join_pieces(PassContext& context, int winner, int loser) {
     }
     if (count < 2) return;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const std::size_t n = star_.size();
+    const std::size_t n = label_.size();
     cost_.assign(n, infinity);
     from_.assign(n, -1);
     std::vector<bool> is_done(n, false);
@@ -107,11 +112,9 @@ void Pinches::join_pieces(PassContext& context, int winner, int loser) {
                 found_.push_back(star_[static_cast<std::size_t>(i)]);
             return;
         }
-        for (const int j : neighbours_[here]) {
-            const auto next = static_cast<std::size_t>(j);
+        for (const std::size_t next : neighbours_[here]) {
             if (piece_of_[next] < 0) continue;
-            const bool is_paid = context.complex().label(star_[next]) == loser;
-            const double cost = cost_[here] + (is_paid ? context.volume(star_[next]) : 0);
+            const double cost = cost_[here] + (label_[next] == loser ? volume(context, next) : 0);
             if (cost >= cost_[next]) continue;
             cost_[next] = cost;
             from_[next] = static_cast<int>(here);
@@ -132,20 +135,34 @@ void Pinches::smallest_piece(int loser) {
         if (piece_of_[i] == smallest) found_.push_back(star_[i]);
 }
 
-// At an edge where the winner or the loser has several sectors, the smallest sector of the loser.
+// What has no face on the wall of v ends there in a point or in edges.
+void Pinches::pieces_off_the_wall(int loser) {
+    if (label_.size() == star_.size()) return;
+    std::vector<bool> is_at_wall(pieces_.size(), false);
+    for (const std::size_t i : neighbours_.back())
+        if (piece_of_[i] >= 0) is_at_wall[static_cast<std::size_t>(piece_of_[i])] = true;
+    for (std::size_t i = 0; i < star_.size(); ++i)
+        if (label_[i] == loser && !is_at_wall[static_cast<std::size_t>(piece_of_[i])]) found_.push_back(star_[i]);
+}
+
+// At an edge where the winner or the loser has several sectors, the smallest sector of the loser. At a wall the ring is
+// open, and what lies outside closes it.
 void Pinches::thin_sectors(PassContext& context, VertexId v, int winner, int loser) {
     const Complex& complex = context.complex();
     std::vector<EdgeId> edges;
     for (const TetId t : star_)
         for (const EdgeId e : complex.edges(t)) {
             const auto [a, b] = complex.vertices(e);
-            if ((a == v || b == v) && complex.surface_degree(e) > 3 && !complex.is_boundary(e)) edges.push_back(e);
+            if ((a == v || b == v) && complex.surface_degree(e) > 3) edges.push_back(e);
         }
     core::sort_unique(edges);
     for (const EdgeId e : edges) {
         gather_ring(complex, e, ring_);
-        const std::size_t n = ring_.tets.size();
-        const auto label = [&](std::size_t i) { return complex.label(ring_.tets[i % n]); };
+        const std::size_t n = ring_.tets.size() + (ring_.is_closed ? 0 : 1);
+        const auto label = [&](std::size_t i) -> std::optional<int> {
+            if (i % n == ring_.tets.size()) return std::nullopt;
+            return complex.label(ring_.tets[i % n]);
+        };
         std::size_t begin_of_smallest = n, end_of_smallest = n;
         double least = std::numeric_limits<double>::infinity();
         int sectors_of_winner = 0, sectors_of_loser = 0;

@@ -135,7 +135,10 @@ bool EdgeCollapse::propose(RatedMesh& mesh, EdgeId e, VertexId kept, double enou
             // surface.
             if (complex.has_vertex(t, kept)) return false;
             std::replace(face.begin(), face.end(), gone, kept);
-            proposal.surface.push_back({face, mesh.surface().patch(f)});
+            const std::int32_t patch = mesh.surface().patch(f);
+            for (const VertexId v : face)
+                if (!mesh.surface().allows_edge(patch, mesh.position(v), mesh.position(kept))) return false;
+            proposal.surface.push_back({face, patch});
         }
     }
     if (!proposal.surface.empty() && proposal.quality_after <= least_surface_quality) return false;
@@ -158,8 +161,28 @@ bool EdgeCollapse::collapse_at(RatedMesh& mesh, EdgeId e, VertexId kept, const P
         if (complex.has_vertex(t, gone)) tet.vertices[static_cast<std::size_t>(complex.index_of(t, gone))] = kept;
         proposal_.added.push_back(tet);
     }
+    if (!take_patches(mesh, kept, gone)) return false;
     const double least = std::min(mesh.worst_quality(proposal_.removed), enough);
     return mesh.apply_with(proposal_, kept, place, least);
+}
+
+// Of what is removed, but for the faces at the edge, and of what the vertex that is gone gives to the other one. False
+// for a sliver that lies flat on the boundary: its face with `kept`, which stays, would become one of the boundary.
+bool EdgeCollapse::take_patches(const RatedMesh& mesh, VertexId kept, VertexId gone) {
+    const Complex& complex = mesh.complex();
+    for (const TetId t : proposal_.removed) {
+        for (const FaceId f : complex.faces(t)) {
+            if (!mesh.surface().has_patch(complex, f)) continue;
+            FaceVertices face = complex.vertices(f);
+            const bool has_kept = std::find(face.begin(), face.end(), kept) != face.end();
+            if (has_kept && std::find(face.begin(), face.end(), gone) != face.end()) continue;
+            if (!has_kept && complex.has_vertex(t, kept) && std::find(face.begin(), face.end(), gone) != face.end())
+                return false;
+            std::replace(face.begin(), face.end(), gone, kept);
+            proposal_.surface.push_back({face, mesh.surface().patch(f)});
+        }
+    }
+    return true;
 }
 
 }  // namespace dsc::dsc3d

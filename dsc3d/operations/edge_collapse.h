@@ -31,10 +31,11 @@ public:
 
     /// Collapses e to a vertex at `place`, whether or not the surface stays; `kept` is its handle. False, and nothing
     /// is changed, when that would change the topology, or make a tetrahedron worse than min(worst before, `enough`).
-    /// Precondition: no face at the other end has a patch.
+    /// Precondition: on the boundary, both ends lie on the patch of the faces at the other end, and so does the place.
     bool collapse_at(RatedMesh& mesh, EdgeId e, VertexId kept, const Point3& place, double enough);
 
 private:
+    bool take_patches(const RatedMesh& mesh, VertexId kept, VertexId gone);
     bool keeps_topology_of_surface(const Complex& complex, EdgeId e, VertexId kept, VertexId gone,
                                    std::span<const TetId> star_of_kept);
 

@@ -49,6 +49,7 @@ bool EdgeRemoval::propose(RatedMesh& mesh, EdgeId e, Proposal& proposal, std::op
 
     const std::int32_t patch = mesh.surface().flat_patch(complex, ring_);
     if (patch == FlatSurface::no_patch || !add_surface_arcs(mesh, threshold, proposal)) return false;
+    if (!mesh.surface().allows_edge(patch, mesh.position(c_), mesh.position(d_))) return false;
     proposal.surface = {{{ring_.a, c_, d_}, patch}, {{ring_.b, c_, d_}, patch}};
     return true;
 }

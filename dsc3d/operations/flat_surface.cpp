@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace dsc::dsc3d {
 
@@ -39,6 +40,23 @@ public:
         for (std::uint32_t i = 0; i < complex_.vertex_capacity(); ++i) {
             const VertexId v(i);
             if (!complex_.is_deleted(v) && complex_.is_surface(v)) surface_.freedom_[v].motion = VertexMotion::fixed;
+        }
+    }
+
+    // One patch for each wall that has faces.
+    void take_walls() {
+        for (const std::shared_ptr<const Wall>& wall : surface_.walls_) {
+            const auto patch = static_cast<std::int32_t>(surface_.patches_.size());
+            surface_.patches_.push_back({Point3::Zero(), Eigen::Vector3d::Zero(), wall.get()});
+            const auto is_on_wall = [&](VertexId v) {
+                return (wall->nearest(mesh_.position(v)) - mesh_.position(v)).norm() <= half_tolerance_;
+            };
+            for (std::uint32_t i = 0; i < complex_.face_capacity(); ++i) {
+                const FaceId f(i);
+                if (complex_.is_deleted(f) || !complex_.is_boundary(f) || surface_.patch_[f] != no_patch) continue;
+                const FaceVertices corners = complex_.vertices(f);
+                if (std::all_of(corners.begin(), corners.end(), is_on_wall)) surface_.patch_[f] = patch;
+            }
         }
     }
 
@@ -84,8 +102,8 @@ private:
     }
 
     std::int32_t new_patch(FaceId seed) {
-        const auto patch = static_cast<std::int32_t>(surface_.planes_.size());
-        surface_.planes_.push_back({mesh_.position(complex_.vertices(seed)[0]), normal(seed).normalized()});
+        const auto patch = static_cast<std::int32_t>(surface_.patches_.size());
+        surface_.patches_.push_back({mesh_.position(complex_.vertices(seed)[0]), normal(seed).normalized()});
         surface_.patch_[seed] = patch;
         return patch;
     }
@@ -100,7 +118,7 @@ private:
 
     void grow(FaceId seed) {
         const std::int32_t patch = new_patch(seed);
-        const Plane plane = surface_.planes_.back();
+        const Patch plane = surface_.patches_.back();
         const std::pair<int, int> labels = sides(seed, plane.normal);
         front_ = {seed};
         while (!front_.empty()) {
@@ -155,7 +173,7 @@ private:
         return other;
     }
 
-    bool lies_in(const Plane& plane, FaceId f) const {
+    bool lies_in(const Patch& plane, FaceId f) const {
         for (const VertexId v : complex_.vertices(f))
             if (std::abs(plane.normal.dot(mesh_.position(v) - plane.point)) > half_tolerance_) return false;
         return true;
@@ -269,17 +287,19 @@ FlatSurface::FlatSurface(const Mesh& mesh, const FlatSurfaceParameters& paramete
     }
 }
 
-FlatSurface::FlatSurface(const Complex& complex, Kind kind)
-    : patch_(complex.face_attributes(), no_patch),
-      freedom_(complex.vertex_attributes()),
+FlatSurface::FlatSurface(const Mesh& mesh, Kind kind, Walls walls)
+    : patch_(mesh.complex().face_attributes(), no_patch),
+      freedom_(mesh.complex().vertex_attributes()),
+      walls_(std::move(walls)),
       kind_(kind),
-      complex_(&complex) {}
+      mesh_(&mesh) {}
 
-FlatSurface FlatSurface::rigid(const Mesh& mesh) { return FlatSurface(mesh.complex(), Kind::rigid); }
+FlatSurface FlatSurface::rigid(const Mesh& mesh) { return FlatSurface(mesh, Kind::rigid, {}); }
 
-FlatSurface FlatSurface::flat_boundary(const Mesh& mesh) {
-    FlatSurface surface(mesh.complex(), Kind::flat_boundary);
+FlatSurface FlatSurface::flat_boundary(const Mesh& mesh, Walls walls) {
+    FlatSurface surface(mesh, Kind::flat_boundary, std::move(walls));
     Builder builder(surface, mesh, {});
+    builder.take_walls();
     builder.find_patches();
     builder.classify_vertices();
     return surface;
@@ -297,14 +317,19 @@ FlatSurface::Freedom FlatSurface::freedom_between(const std::array<Point3, 2>& p
 }
 
 Eigen::Vector3d FlatSurface::allowed(VertexId v, const Eigen::Vector3d& step) const {
-    switch (motion(v)) {
+    return allowed({motion(v), freedom_[v].carrier}, v, step);
+}
+
+Eigen::Vector3d FlatSurface::allowed(const Freedom& freedom, VertexId v, const Eigen::Vector3d& step) const {
+    switch (freedom.motion) {
         case VertexMotion::free: return step;
         case VertexMotion::plane: {
-            const Eigen::Vector3d& n = planes_[static_cast<std::size_t>(freedom_[v].carrier)].normal;
+            const Patch& patch = patches_[static_cast<std::size_t>(freedom.carrier)];
+            const Eigen::Vector3d n = patch.wall ? patch.wall->normal(mesh_->position(v)) : patch.normal;
             return step - n.dot(step) * n;
         }
         case VertexMotion::line: {
-            const Eigen::Vector3d& d = lines_[static_cast<std::size_t>(freedom_[v].carrier)].direction;
+            const Eigen::Vector3d& d = lines_[static_cast<std::size_t>(freedom.carrier)].direction;
             return d.dot(step) * d;
         }
         case VertexMotion::fixed: break;
@@ -318,8 +343,9 @@ Point3 FlatSurface::settled(VertexId v, const Point3& position) const {
 
 Point3 FlatSurface::settled(const Freedom& freedom, const Point3& position) const {
     if (freedom.motion == VertexMotion::plane) {
-        const Plane& plane = planes_[static_cast<std::size_t>(freedom.carrier)];
-        return position - plane.normal.dot(position - plane.point) * plane.normal;
+        const Patch& patch = patches_[static_cast<std::size_t>(freedom.carrier)];
+        if (patch.wall) return patch.wall->nearest(position);
+        return position - patch.normal.dot(position - patch.point) * patch.normal;
     }
     if (freedom.motion == VertexMotion::line) {
         const Line& line = lines_[static_cast<std::size_t>(freedom.carrier)];
@@ -332,8 +358,9 @@ bool FlatSurface::has_room(VertexId v, const Point3& position) const {
     switch (motion(v)) {
         case VertexMotion::free: return true;
         case VertexMotion::plane: {
-            const Plane& plane = planes_[static_cast<std::size_t>(freedom_[v].carrier)];
-            return std::abs(plane.normal.dot(position - plane.point)) <= half_tolerance_;
+            const Patch& patch = patches_[static_cast<std::size_t>(freedom_[v].carrier)];
+            if (patch.wall) return (patch.wall->nearest(position) - position).norm() <= half_tolerance_;
+            return std::abs(patch.normal.dot(position - patch.point)) <= half_tolerance_;
         }
         case VertexMotion::line: {
             const Line& line = lines_[static_cast<std::size_t>(freedom_[v].carrier)];
@@ -343,6 +370,12 @@ bool FlatSurface::has_room(VertexId v, const Point3& position) const {
         case VertexMotion::fixed: break;
     }
     return false;
+}
+
+bool FlatSurface::allows_edge(std::int32_t patch, const Point3& p, const Point3& q) const {
+    static const double least_cosine = std::cos(6 * std::numbers::pi / 180);
+    const Wall* wall = patches_[static_cast<std::size_t>(patch)].wall;
+    return !wall || wall->normal(p).dot(wall->normal(q)) >= least_cosine;
 }
 
 bool FlatSurface::is_ridge(const Complex& complex, EdgeId e, EdgeRing& ring) const {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the surface (boundary and interfaces) may be changed without moving it. Its faces are gathered in flat patches;
-// a vertex is free inside a region, slides in the plane of its patch, slides on a straight ridge, or is fixed.
+// a vertex is free inside a region, slides in the plane of its patch, slides on a straight ridge, or is fixed. A curved
+// wall of the domain is a patch too, on which vertices slide by projection.
 //
 // Source: thesis 3.3 ("sufficiently flat", "straight ridges"). Guarantee: all vertices of a patch lie within half the
 // tolerance of one plane, all vertices of a ridge within half of it of one segment, and planes and segments are those
-// of the input however often vertices move: the surface stays within the tolerance of the input surface. Cost: linear
-// in the surface to make; queries are array reads.
+// of the input however often vertices move: the surface stays within the tolerance of the input surface. Vertices of a
+// curved wall lie on it within rounding; its triangles are chords, so that what is changed there changes the volume of
+// the domain, but makes no edge over which the wall turns by more than 6 degrees. Cost: linear in the surface to make; queries are array reads.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +16,7 @@
 #include "core/attribute.h"
 #include "dsc3d/complex/traversal.h"
 #include "dsc3d/mesh.h"
+#include "dsc3d/operations/wall.h"
 
 namespace dsc::dsc3d {
 
@@ -40,8 +43,9 @@ public:
     /// free. The mesh must stay at its address.
     static FlatSurface rigid(const Mesh& mesh);
     /// A surface whose interfaces stay as they are, also while labels change, and whose boundary may change where it is
-    /// flat, by no more than rounding. The mesh must stay at its address.
-    static FlatSurface flat_boundary(const Mesh& mesh);
+    /// flat, by no more than rounding, or within one of the walls, on which its vertices stay. The faces of a wall are
+    /// those whose corners lie on it, within half the tolerance. The mesh must stay at its address.
+    static FlatSurface flat_boundary(const Mesh& mesh, Walls walls = {});
 
     /// Whether the face has a patch: only those faces may give way to others.
     bool has_patch(const Complex& complex, FaceId f) const {
@@ -59,8 +63,8 @@ public:
 
     VertexMotion motion(VertexId v) const {
         if (kind_ == Kind::flat) return freedom_[v].motion;
-        if (!complex_->is_surface(v)) return VertexMotion::free;
-        return kind_ == Kind::rigid || complex_->is_interface(v) ? VertexMotion::fixed : freedom_[v].motion;
+        if (!mesh_->complex().is_surface(v)) return VertexMotion::free;
+        return kind_ == Kind::rigid || mesh_->complex().is_interface(v) ? VertexMotion::fixed : freedom_[v].motion;
     }
     const Freedom& freedom(VertexId v) const { return freedom_[v]; }
     void set_freedom(VertexId v, const Freedom& freedom) { freedom_[v] = freedom; }
@@ -71,8 +75,20 @@ public:
     Eigen::Vector3d allowed(VertexId v, const Eigen::Vector3d& step) const;
     /// `position` put back on the plane or segment of v, whose rounding errors would add up otherwise.
     Point3 settled(VertexId v, const Point3& position) const;
+    /// The same for a vertex of the boundary that an interface takes along it.
+    Eigen::Vector3d allowed_on_boundary(VertexId v, const Eigen::Vector3d& step) const {
+        return allowed(freedom_[v], v, step);
+    }
+    /// The place on the patch for a new vertex that is to come to `position`, between its vertices.
+    Point3 on_patch(std::int32_t patch, const Point3& position) const {
+        const Wall* wall = patches_[static_cast<std::size_t>(patch)].wall;
+        return wall ? wall->nearest(position) : position;
+    }
+    /// Whether an edge of the patch may come between these places: where it would cut off too much of a curved wall, not.
+    bool allows_edge(std::int32_t patch, const Point3& p, const Point3& q) const;
     /// Where a vertex of the boundary goes that is sent to `position` along it, as an interface that slides on a wall
-    /// takes it: the nearest place in its plane or on the line of its segment; its present place, when it is a corner.
+    /// takes it: the nearest place in its plane, on its wall or on the line of its segment; its present place, when it
+    /// is a corner.
     Point3 along_boundary(VertexId v, const Point3& present, const Point3& position) const {
         return freedom_[v].motion == VertexMotion::fixed ? present : settled(freedom_[v], position);
     }
@@ -87,12 +103,14 @@ public:
 
 private:
     Point3 settled(const Freedom& freedom, const Point3& position) const;
+    Eigen::Vector3d allowed(const Freedom& freedom, VertexId v, const Eigen::Vector3d& step) const;
 
     enum class Kind : std::uint8_t { flat, flat_boundary, rigid };
 
-    struct Plane {
-        Point3 point;
+    struct Patch {
+        Point3 point;  ///< of its plane
         Eigen::Vector3d normal;
+        const Wall* wall = nullptr;  ///< of walls_: then there is no plane
     };
     struct Line {
         Point3 point;
@@ -101,15 +119,16 @@ private:
 
     class Builder;
 
-    FlatSurface(const Complex& complex, Kind kind);
+    FlatSurface(const Mesh& mesh, Kind kind, Walls walls);
 
     core::Attribute<FaceId, std::int32_t> patch_;
     core::Attribute<VertexId, Freedom> freedom_;
-    std::vector<Plane> planes_;  ///< by patch
+    std::vector<Patch> patches_;
     std::vector<Line> lines_;
+    Walls walls_;
     double half_tolerance_ = 0;  ///< a length
     Kind kind_ = Kind::flat;
-    const Complex* complex_ = nullptr;  ///< where flags are asked for, because interfaces change
+    const Mesh* mesh_ = nullptr;  ///< where flags and places are asked for, because interfaces change
 };
 
 }  // namespace dsc::dsc3d

@@ -97,14 +97,17 @@ void RatedMesh::exchange(std::span<const TetId> removed, std::span<const NewTet>
         for (const VertexId v : added[i].vertices) changed_[v] = time_;
         if (transaction_.is_open()) transaction_.note_new(change.added_tets[i]);
     }
-    for (const FaceId f : change.added_faces) {
-        if (!surface_.has_patch(complex(), f)) continue;
-        const FaceVertices corners = complex().vertices(f);
-        const auto known = std::find_if(surface.begin(), surface.end(), [&](const SurfaceFace& face) {
-            return std::is_permutation(corners.begin(), corners.end(), face.vertices.begin());
-        });
-        DSC_ASSERT(known != surface.end());
-        surface_.set_patch(f, known->patch);
+    // Behind a curved wall a face inside may come to be one of the boundary, when a change is taken back.
+    for (const TetId t : change.added_tets) {
+        for (const FaceId f : complex().faces(t)) {
+            if (!surface_.has_patch(complex(), f)) continue;
+            const FaceVertices corners = complex().vertices(f);
+            const auto known = std::find_if(surface.begin(), surface.end(), [&](const SurfaceFace& face) {
+                return std::is_permutation(corners.begin(), corners.end(), face.vertices.begin());
+            });
+            if (known != surface.end()) surface_.set_patch(f, known->patch);
+            DSC_ASSERT(surface_.patch(f) != FlatSurface::no_patch);
+        }
     }
 }
 
@@ -158,14 +161,30 @@ VertexId RatedMesh::split(EdgeId e, const Point3& position) {
     return m;
 }
 
-// The boundary faces at the edge are divided too, and m moves as they allow.
-void RatedMesh::add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& parts) {
+Point3 RatedMesh::middle(EdgeId e) const {
+    const auto [a, b] = complex().vertices(e);
+    const Point3 middle = 0.5 * (position(a) + position(b));
+    if (!complex().is_boundary(e)) return middle;
+    EdgeRing ring;
+    gather_ring(complex(), e, ring);
+    const auto [first, last] = boundary_patches(ring);
+    return first == last ? surface_.on_patch(first, middle) : middle;
+}
+
+// Of the two boundary faces at the edge of an open ring.
+std::array<std::int32_t, 2> RatedMesh::boundary_patches(const EdgeRing& ring) const {
     const auto patch = [&](TetId t, VertexId opposite) {
         const FaceId f = complex().faces(t)[static_cast<std::size_t>(complex().index_of(t, opposite))];
         return surface_.patch(f);
     };
     const std::size_t n = ring.tets.size();
-    const std::int32_t first = patch(ring.tets[0], ring.link[1]), last = patch(ring.tets[n - 1], ring.link[n - 1]);
+    return {patch(ring.tets[0], ring.link[1]), patch(ring.tets[n - 1], ring.link[n - 1])};
+}
+
+// The boundary faces at the edge are divided too, and m moves as they allow.
+void RatedMesh::add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& parts) {
+    const auto [first, last] = boundary_patches(ring);
+    const std::size_t n = ring.tets.size();
     for (const auto& [corner, of_face] : {std::pair(ring.link[0], first), std::pair(ring.link[n], last)})
         for (const VertexId end : {ring.a, ring.b}) parts.surface.push_back({{end, m, corner}, of_face});
     surface_.set_freedom(m,

@@ -106,6 +106,13 @@ public:
     VertexId split(EdgeId e, const Point3& position);
     void set_label(TetId t, int label);
 
+    /// `p`, put on the plane, wall or line on which v may move along the boundary; as it is, when v lies inside.
+    Point3 on_boundary(VertexId v, const Point3& p) const {
+        return complex().is_boundary(v) ? surface_.along_boundary(v, position(v), p) : p;
+    }
+    /// Half-way between the ends of e; on the wall, when e is an edge of a curved one.
+    Point3 middle(EdgeId e) const;
+
     /// From here on changes can be taken back, all at once. Precondition: no transaction is open.
     void begin() { transaction_.open(); }
     /// Keeps what has changed since begin().
@@ -122,6 +129,7 @@ public:
 
 private:
     void exchange(std::span<const TetId> removed, std::span<const NewTet> added, std::span<const SurfaceFace> surface);
+    std::array<std::int32_t, 2> boundary_patches(const EdgeRing& ring) const;
     void add_boundary_parts(const EdgeRing& ring, VertexId m, Proposal& parts);
     void rate_again(TetId t);
 

@@ -45,18 +45,16 @@ struct Squeeze {
 
 }  // namespace
 
-TEST_CASE("a thin gap that closes is given to the region around it, in one event for each hole") {
+TEST_CASE("a thin gap that closes is given to the region around it, also where it ends on the walls") {
     Squeeze squeeze({1, 0, 1}, 0.1, TopologyPolicy::adaptive);
     const auto domain = volumes(squeeze.mesh);
     REQUIRE(squeeze.run());
     require_valid(squeeze.mesh);
     CHECK(pinches(squeeze.mesh.complex()) == 0);
     const auto after = volumes(squeeze.mesh);
-    CHECK(after.at(0) + after.at(1) == Approx(domain.at(0) + domain.at(1)).epsilon(1e-13));
+    CHECK(after.count(0) == 0);
+    CHECK(after.at(1) == Approx(domain.at(0) + domain.at(1)).epsilon(1e-13));
     CHECK(statistics_by_label(squeeze.mesh).at(1).components == 1);
-    // All that has four vertices off the boundary: the inner 4 x 4 cubes. The rest of the slab is a ring around it.
-    CHECK(squeeze.labels()[0] == 6 * (36 - 16));
-    CHECK(statistics_by_label(squeeze.mesh).at(0).genus == 1);
     for (const Event& event : squeeze.events.events) {
         CHECK(event.kind == motion::EventKind::topology_change);
         CHECK(event.label == 0);
@@ -68,7 +66,7 @@ TEST_CASE("a thin gap that closes is given to the region around it, in one event
     const std::span<const VertexId> touched = squeeze.contacts.touched();
     CHECK(std::is_sorted(touched.begin(), touched.end()));
     CHECK(std::set<VertexId>(touched.begin(), touched.end()).size() == touched.size());
-    CHECK(touched.size() == 2 * 5 * 5);
+    CHECK(touched.size() == 2 * 7 * 7);
     CHECK_FALSE(squeeze.run());
 }
 
@@ -114,7 +112,7 @@ TEST_CASE("a gap between two other regions goes to one of them, and they touch")
     require_valid(squeeze.mesh);
     const auto after = squeeze.labels();
     CHECK((after.at(1) == before.at(1) || after.at(2) == before.at(2)));
-    CHECK(after.at(0) < before.at(0));
+    CHECK(after.count(0) == 0);
     CHECK(pinches(squeeze.mesh.complex()) == 0);
     CHECK(surface_areas(squeeze.mesh).count({1, 2}) == 1);
 }

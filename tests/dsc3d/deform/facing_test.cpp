@@ -7,6 +7,15 @@ using namespace dsc;
 using namespace dsc::dsc3d;
 using namespace dsc::tests;
 
+namespace {
+
+bool is_off_the_walls(const Complex& complex, TetId t) {
+    const TetVertices& v = complex.vertices(t);
+    return std::any_of(v.begin(), v.end(), [&](VertexId u) { return !complex.is_boundary(u); });
+}
+
+}  // namespace
+
 TEST_CASE("the sheets of a slab face each other when it is thinner than the distance, at its thickness") {
     for (const double edge_length : {1.0, 2.0}) {
         for (const double thickness : {0.05, 0.2, 0.4, 0.7}) {
@@ -14,21 +23,16 @@ TEST_CASE("the sheets of a slab face each other when it is thinner than the dist
             PassBench bench(mesh, {.edge_length = edge_length});
             PassContext context = bench.context();
             const double distance = 0.3;
-            int count = 0;
             for (const TetId t : tets(mesh.complex())) {
-                const TetVertices& v = mesh.complex().vertices(t);
-                const bool is_inner =
-                    std::none_of(v.begin(), v.end(), [&](VertexId u) { return mesh.complex().is_boundary(u); });
                 const auto facing = facing_sheets(context, t, distance);
-                const bool is_expected = mesh.complex().label(t) == 1 && is_inner && thickness < distance * edge_length;
+                const bool is_expected = mesh.complex().label(t) == 1 && is_off_the_walls(mesh.complex(), t) &&
+                                         thickness < distance * edge_length;
                 REQUIRE(facing.has_value() == is_expected);
                 if (!facing) continue;
-                ++count;
                 CHECK(facing->gap == Approx(thickness).epsilon(1e-12));
                 CHECK(std::abs(mesh.position(facing->a).z() - mesh.position(facing->b).z()) ==
                       Approx(thickness).epsilon(1e-12));
             }
-            CHECK(count == (thickness < distance * edge_length ? 6 * 4 * 4 : 0));
         }
     }
 }
@@ -37,9 +41,9 @@ TEST_CASE("three labels: the slab between two others has two sheets as well") {
     Mesh mesh = slab(0.1, {1, 0, 2});
     PassBench bench(mesh, {.edge_length = 1});
     PassContext context = bench.context();
-    int count = 0;
-    for (const TetId t : tets(mesh.complex())) count += facing_sheets(context, t, 0.25) ? 1 : 0;
-    CHECK(count == 6 * 4 * 4);
+    for (const TetId t : tets(mesh.complex()))
+        REQUIRE(facing_sheets(context, t, 0.25).has_value() ==
+                (mesh.complex().label(t) == 0 && is_off_the_walls(mesh.complex(), t)));
 }
 
 TEST_CASE("one sheet faces nothing, however flat the tetrahedra at it") {
@@ -90,4 +94,45 @@ TEST_CASE("sheets close in when their motion shortens the distance, not when the
     move(0.1, 0.05, 0), all_close(true);  // the lower one catches up
     move(0, 0.1, 0), all_close(false);
     move(0.1, 0.1, 0.3), all_close(false);
+}
+
+TEST_CASE("a sheet faces the wall that it is near to, and closes in on it when it moves towards it, not along it") {
+    // A layer on the lower side of the box; its own sheet is the only one.
+    for (const double thickness : {0.1, 0.4}) {
+        TetData data = box({5, 5, 2});
+        for (Point3& p : data.vertices)
+            if (p.z() == 1) p.z() = thickness;
+        for (const auto& [a, b, c, d] : data.tets) {
+            const double z = data.vertices[a].z() + data.vertices[b].z() + data.vertices[c].z() + data.vertices[d].z();
+            data.labels.push_back(z < 3.9 * thickness ? 1 : 0);
+        }
+        Mesh mesh(data);
+        PassBench bench(mesh, {.edge_length = 1});
+        PassContext context = bench.context();
+        const auto move = [&](const Point3& way) {
+            for (const VertexId v : vertices(mesh.complex()))
+                bench.way[v] = mesh.complex().is_interface(v) ? way : Point3(Point3::Zero());
+        };
+        int count = 0;
+        for (const TetId t : tets(mesh.complex())) {
+            const TetVertices& v = mesh.complex().vertices(t);
+            const bool has_sheet = std::any_of(v.begin(), v.end(), [&](VertexId u) {
+                return mesh.complex().is_interface(u) && !mesh.complex().is_boundary(u);
+            });
+            const auto facing = facing_sheets(context, t, 0.25);
+            REQUIRE(facing.has_value() == (mesh.complex().label(t) == 1 && has_sheet && thickness < 0.25));
+            if (!facing) continue;
+            ++count;
+            CHECK(facing->gap == Approx(thickness).epsilon(1e-12));
+            CHECK(mesh.position(facing->a).z() == thickness);
+            CHECK(mesh.position(facing->b).z() == 0);
+            move({0.3, 0, -0.01});
+            CHECK(is_closing(context, *facing));
+            move({0.3, -0.2, 0});
+            CHECK_FALSE(is_closing(context, *facing));
+            move({0, 0, 0.01});
+            CHECK_FALSE(is_closing(context, *facing));
+        }
+        CHECK((count > 0) == (thickness < 0.25));
+    }
 }
