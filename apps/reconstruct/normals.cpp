@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/reconstruct/normals.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/errors.h"
+#include "core/parallel.h"
+#include "surface/triangle.h"
+
+namespace dsc::reconstruct {
+
+namespace {
+
+struct Plane {
+    Point3 centre;
+    Vector3 normal;
+    double deviation;  ///< of its points, root of the mean square
+};
+
+class PlaneFit {
+public:
+    void add(const Point3& p, double weight) {
+        weight_ += weight;
+        sum_ += weight * p;
+        squares_ += weight * p * p.transpose();
+    }
+    Plane plane() const {
+        const Point3 centre = sum_ / weight_;
+        const Eigen::Matrix3d moments = squares_ / weight_ - centre * centre.transpose();
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+        solver.computeDirect(moments);
+        return {centre, solver.eigenvectors().col(0).normalized(), std::sqrt(std::max(0.0, solver.eigenvalues()[0]))};
+    }
+
+private:
+    double weight_ = 0;
+    Point3 sum_ = Point3::Zero();
+    Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();
+};
+
+// In coordinates around the point, where squares lose no digits.
+std::vector<Plane> fitted_planes(const Cloud& cloud, std::size_t count) {
+    std::vector<Plane> planes(cloud.size());
+    core::parallel_for(cloud.size(), [&](std::size_t i) {
+        PlaneFit fit;
+        fit.add(Point3::Zero(), 1);
+        for (const std::uint32_t j : cloud.neighbours_of(i).first(count)) fit.add(cloud.points[j] - cloud.points[i], 1);
+        planes[i] = fit.plane();
+        planes[i].centre += cloud.points[i];
+    });
+    return planes;
+}
+
+double median_deviation(const std::vector<Plane>& planes) {
+    std::vector<double> values;
+    values.reserve(planes.size());
+    for (const Plane& plane : planes) values.push_back(plane.deviation);
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+}  // namespace
+
+void NormalParameters::validate() const {
+    if (!(agreement > 0 && agreement < 90)) throw core::UsageError("agreement: has to be in (0, 90)");
+    if (rounds < 0) throw core::UsageError("rounds: has to be at least 0");
+}
+
+CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameters) {
+    parameters.validate();
+    const std::size_t n = cloud.size();
+    CloudNormals result;
+    // On a clean surface the deviation grows with the square of the reach, that is, with the number of neighbours;
+    // noise does not.
+    const std::size_t few = std::min<std::size_t>(8, cloud.neighbour_count);
+    const std::size_t some = std::min<std::size_t>(16, cloud.neighbour_count);
+    const std::vector<Plane> small = fitted_planes(cloud, few);
+    std::vector<Plane> planes = fitted_planes(cloud, some);
+    const double of_few = median_deviation(small), of_some = median_deviation(planes);
+    result.noise = std::max(0.0, 2 * of_few - of_some);
+    const bool is_noisy = result.noise > 0.05 * cloud.median_spacing;
+    if (is_noisy) planes = fitted_planes(cloud, cloud.neighbour_count);
+
+    std::vector<Vector3> axes(n);
+    core::parallel_for(n, [&](std::size_t i) {
+        double best = std::numeric_limits<double>::infinity();
+        const auto consider = [&](std::size_t j) {
+            const Plane& plane = planes[j];
+            const double offset = (cloud.points[i] - plane.centre).dot(plane.normal);
+            const double score = plane.deviation * plane.deviation + offset * offset;
+            if (score >= best) return;
+            best = score;
+            axes[i] = plane.normal;
+        };
+        consider(i);
+        for (const std::uint32_t j : cloud.neighbours_of(i).first(some)) consider(j);
+    });
+
+    const double least_cosine = std::cos(surface::radians(parameters.agreement));
+    for (int round = 0; round < parameters.rounds; ++round) {
+        std::vector<Vector3> next(n);
+        core::parallel_for(n, [&](std::size_t i) {
+            const double noise = result.noise + 0.1 * cloud.spacing[i];
+            PlaneFit fit;
+            fit.add(Point3::Zero(), 1);
+            int agreeing = 0;
+            for (const std::uint32_t j : cloud.neighbours_of(i)) {
+                const double cosine = std::abs(axes[i].dot(axes[j]));
+                if (cosine < least_cosine) continue;
+                const Vector3 way = cloud.points[j] - cloud.points[i];
+                const double offset = std::abs(way.dot(axes[i])) / (3 * noise + 0.25 * way.norm());
+                if (offset > 1) continue;
+                const double similarity = (cosine - least_cosine) / (1 - least_cosine);
+                fit.add(way, similarity * (1 - offset * offset));
+                ++agreeing;
+            }
+            next[i] = agreeing >= 3 ? fit.plane().normal : axes[i];
+        });
+        axes.swap(next);
+    }
+    result.axes = std::move(axes);
+    return result;
+}
+
+}  // namespace dsc::reconstruct

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/reconstruct/orientation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/reconstruct/dipole_sum.h"
+#include "core/disjoint_sets.h"
+
+namespace dsc::reconstruct {
+
+namespace {
+
+struct Thinned {
+    std::vector<std::uint32_t> index;  ///< in the cloud
+    double spacing;                    ///< least distance of two of them
+};
+
+// No two nearer than `distance`, in the order of the cloud: greedy.
+std::vector<std::uint32_t> poisson_sample(const Cloud& cloud, const KdTree& tree, double distance) {
+    std::vector<std::uint8_t> is_covered(cloud.size(), 0);
+    std::vector<std::uint32_t> kept;
+    std::vector<KdTree::Neighbour> near;
+    for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+        if (is_covered[i] != 0) continue;
+        kept.push_back(i);
+        tree.within(cloud.points[i], distance, near);
+        for (const KdTree::Neighbour& other : near) is_covered[other.index] = 1;
+    }
+    return kept;
+}
+
+Thinned thinned(const Cloud& cloud, std::size_t most_points) {
+    const KdTree tree(cloud.points);
+    double distance = 0.5 * cloud.median_spacing;
+    for (;;) {
+        std::vector<std::uint32_t> kept = poisson_sample(cloud, tree, distance);
+        if (kept.size() <= most_points) return {std::move(kept), distance};
+        distance *= std::sqrt(1.05 * static_cast<double>(kept.size()) / static_cast<double>(most_points));
+    }
+}
+
+double dot(std::span<const Vector3> a, std::span<const Vector3> b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+    return sum;
+}
+
+// Moments of the thinned points from nothing.
+std::vector<Vector3> consistent_moments(std::span<const Point3> points, double spacing,
+                                        const OrientationParameters& parameters, core::Observer& observer) {
+    const KdTree tree(points);
+    const DipoleSum sum(tree, points);
+    const DipoleSum::Targets targets = sum.targets(points);
+    const std::size_t n = points.size();
+    std::vector<Vector3> moments(n, Vector3::Zero());
+    for (int round = 0; round < parameters.rounds; ++round) {
+        observer.check_cancelled();
+        observer.progress("orienting", static_cast<double>(round) / parameters.rounds, "");
+        const double share = parameters.rounds > 1 ? static_cast<double>(round) / (parameters.rounds - 1) : 1;
+        const std::vector<double> width(
+            n, spacing * (parameters.first_width + share * (parameters.last_width - parameters.first_width)));
+        std::vector<double> missing = sum.winding_numbers(targets, moments, width);
+        for (double& w : missing) w = 0.5 - w;
+        const std::vector<Vector3> descent = sum.adjoints(targets, missing, width);
+        const std::vector<double> effect = sum.winding_numbers(targets, descent, width);
+        double squared = 0;
+        for (const double e : effect) squared += e * e;
+        if (squared == 0) break;
+        const double step = dot(descent, descent) / squared;
+        for (std::size_t i = 0; i < n; ++i) moments[i] += step * descent[i];
+        const std::vector<Vector3> gradient = sum.gradients(targets, moments, width);
+        for (std::size_t i = 0; i < n; ++i) {
+            const double length = gradient[i].norm();
+            if (length > 0) moments[i] = -moments[i].norm() / length * gradient[i];
+        }
+    }
+    return moments;
+}
+
+}  // namespace
+
+Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes,
+                             const OrientationParameters& parameters, core::Observer& observer) {
+    const Thinned few = thinned(cloud, parameters.most_points);
+    std::vector<Point3> places;
+    for (const std::uint32_t i : few.index) places.push_back(cloud.points[i]);
+    const std::vector<Vector3> moments = consistent_moments(places, few.spacing, parameters, observer);
+
+    Orientation result;
+    const std::size_t n = cloud.size();
+    result.areas.resize(n);
+    for (std::size_t i = 0; i < n; ++i) result.areas[i] = cloud.spacing[i] * cloud.spacing[i];
+    result.normals.resize(n);
+    const auto turn = [&](const std::vector<Vector3>& gradient) {
+        for (std::size_t i = 0; i < n; ++i) result.normals[i] = gradient[i].dot(axes[i]) > 0 ? -axes[i] : Vector3(axes[i]);
+    };
+    {
+        const KdTree tree(places);
+        const DipoleSum sum(tree, places);
+        turn(sum.gradients(sum.targets(cloud.points), moments, std::vector<double>(places.size(), few.spacing)));
+    }
+    const KdTree tree(cloud.points);
+    const DipoleSum sum(tree, cloud.points);
+    const DipoleSum::Targets targets = sum.targets(cloud.points);
+    std::vector<Vector3> all(n);
+    std::vector<double> widths(n);
+    for (std::size_t i = 0; i < n; ++i) widths[i] = 1.5 * cloud.spacing[i];
+    for (int pass = 0; pass < parameters.passes; ++pass) {
+        observer.check_cancelled();
+        for (std::size_t i = 0; i < n; ++i) all[i] = result.areas[i] * result.normals[i];
+        turn(sum.gradients(targets, all, widths));
+    }
+    return result;
+}
+
+}  // namespace dsc::reconstruct
