@@ -65,7 +65,7 @@ void find_neighbours(Cloud& cloud, const CloudParameters& parameters) {
     cloud.neighbour_count = static_cast<std::uint32_t>(std::min<std::size_t>(parameters.neighbours, n - 1));
     cloud.neighbours.resize(n * cloud.neighbour_count);
     const KdTree tree(cloud.points);
-    core::parallel_for(n, [&](std::size_t i) {
+    core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
         std::vector<KdTree::Neighbour> found;
         tree.nearest(cloud.points[i], cloud.neighbour_count + 1, found);
         // Itself comes first: no other point is at the same place.
@@ -157,9 +157,10 @@ void CloudParameters::validate() const {
     require(stray_part >= 0 && stray_part < 1, "stray_part", "in [0, 1)");
 }
 
-Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source) {
+Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source, int threads) {
     parameters.validate();
     Cloud cloud;
+    cloud.threads = threads;
     cloud.original = different_points(points);
     cloud.duplicates = points.size() - cloud.original.size();
     if (cloud.original.size() < 4)

@@ -37,6 +37,7 @@ struct Cloud {
     Point3 origin = Point3::Zero();  ///< place in the input of the scaled origin
     double scale = 1;                ///< length in the input of a scaled 1: the diagonal of the box
     std::uint32_t neighbour_count = 0;
+    int threads = 0;  ///< that computations on the cloud use; 0: all
     std::vector<std::uint32_t> neighbours;  ///< `neighbour_count` for each point, nearest first, without itself
     std::vector<double> spacing;            ///< side of the square that a point has of the surface
     double median_spacing = 0;
@@ -50,6 +51,6 @@ struct Cloud {
 
 /// Throws core::InputError, naming `source`, for fewer than 4 different points, points on a line or in a plane, and
 /// coordinates too large to be squared.
-Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source);
+Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source, int threads = 0);
 
 }  // namespace dsc::reconstruct

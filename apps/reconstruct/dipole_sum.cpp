@@ -30,7 +30,8 @@ struct Rays {
 
 }  // namespace
 
-DipoleSum::DipoleSum(const KdTree& tree, std::span<const Point3> points) : tree_(tree), points_(points) {}
+DipoleSum::DipoleSum(const KdTree& tree, std::span<const Point3> points, int threads)
+    : tree_(tree), points_(points), threads_(threads) {}
 
 DipoleSum::Targets DipoleSum::targets(std::span<const Point3> points) const {
     Targets result;
@@ -91,7 +92,7 @@ void DipoleSum::evaluate(const Targets& targets, std::span<const Vector3> moment
         }
         far[n] = source(weight > 0 ? Point3(place / weight) : nodes[n].box.center(), moment, 0);
     }
-    core::parallel_for(targets.groups_.size(), [&](std::size_t g) {
+    core::parallel_for(targets.groups_.size(), {.threads = threads_, .grain = 4}, [&](std::size_t g) {
         const Targets::Group& group = targets.groups_[g];
         Lanes x, y, z;
         for (int lane = 0; lane < Targets::group_size; ++lane) {

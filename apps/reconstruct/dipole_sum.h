@@ -22,8 +22,8 @@ namespace dsc::reconstruct {
 
 class DipoleSum {
 public:
-    /// The sources; the tree has to outlive the sum.
-    DipoleSum(const KdTree& tree, std::span<const Point3> points);
+    /// The sources; tree and points have to outlive the sum. Zero threads mean all.
+    DipoleSum(const KdTree& tree, std::span<const Point3> points, int threads);
 
     /// The places where sums are wanted, with what is near and far of each of their groups.
     class Targets {
@@ -57,6 +57,7 @@ private:
 
     const KdTree& tree_;
     std::span<const Point3> points_;
+    int threads_;
 };
 
 }  // namespace dsc::reconstruct

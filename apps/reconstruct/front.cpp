@@ -30,7 +30,7 @@ void require(bool condition, const char* field, const char* range) {
 std::vector<double> wanted_cells(const Cloud& cloud, const KdTree& tree, std::span<const Vector3> normals, double noise,
                                  const FrontParameters& parameters) {
     std::vector<double> cells(cloud.size());
-    core::parallel_for(cloud.size(), [&](std::size_t i) {
+    core::parallel_for(cloud.size(), {.threads = cloud.threads}, [&](std::size_t i) {
         const double spacing = cloud.spacing[i];
         const double widest = std::max(parameters.cell * spacing, 4 * noise);
         double cell = widest;
@@ -48,7 +48,7 @@ std::vector<double> wanted_cells(const Cloud& cloud, const KdTree& tree, std::sp
     });
     // What single points say is not to be trusted: the second least of a neighbourhood counts.
     std::vector<double> result(cloud.size());
-    core::parallel_for(cloud.size(), [&](std::size_t i) {
+    core::parallel_for(cloud.size(), {.threads = cloud.threads}, [&](std::size_t i) {
         double least = cells[i], second = std::numeric_limits<double>::infinity();
         for (const std::uint32_t j : cloud.neighbours_of(i)) {
             if (cells[j] < least) {
@@ -81,10 +81,10 @@ std::vector<double> levels(const Cloud& cloud, const KdTree& tree, const Orienta
         moments[i] = orientation.areas[i] * orientation.normals[i];
         widths[i] = std::max(cloud.spacing[i], 2 * noise);
     }
-    const DipoleSum sum(tree, cloud.points);
+    const DipoleSum sum(tree, cloud.points, cloud.threads);
     const std::vector<double> winding = sum.winding_numbers(sum.targets(places), moments, widths);
     std::vector<double> result(places.size());
-    core::parallel_for(places.size(), [&](std::size_t i) {
+    core::parallel_for(places.size(), {.threads = cloud.threads}, [&](std::size_t i) {
         constexpr std::size_t few = 8;
         std::vector<KdTree::Neighbour> near;
         tree.nearest(places[i], few, near);
@@ -169,12 +169,13 @@ void FrontParameters::validate() const {
 }
 
 Front labelled_front(const Cloud& cloud, const Orientation& orientation, double noise,
-                     const FrontParameters& parameters, core::Observer& observer) {
+                     std::optional<double> edge_length, const FrontParameters& parameters, core::Observer& observer) {
     parameters.validate();
     const KdTree tree(cloud.points);
     Front front;
     observer.progress("making cells", -1, "");
-    front.cell = wanted_cells(cloud, tree, orientation.normals, noise, parameters);
+    front.cell = edge_length ? std::vector<double>(cloud.size(), *edge_length / Front::edge_per_cell)
+                             : wanted_cells(cloud, tree, orientation.normals, noise, parameters);
     const std::vector<Point3> places =
         octree_points(tree, front.cell, parameters.growth, half_side_of_box(front.cell, parameters.margin));
     observer.check_cancelled();

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "apps/reconstruct/cloud.h"
 #include "apps/reconstruct/orientation.h"
@@ -37,9 +38,14 @@ struct Front {
     std::vector<double> cell;      ///< wanted side of a leaf at each point of the cloud
     std::size_t dropped_parts = 0; ///< regions that no points bound
     std::size_t cavities = 0;      ///< of outside within inside, which stay
+
+    /// Length of the edges of the interface at a point of the cloud.
+    double wanted_edge(std::size_t point) const { return edge_per_cell * cell[point]; }
+    static constexpr double edge_per_cell = 0.8;
 };
 
+/// `edge_length`: wanted one of the interface everywhere, instead of one that follows the spacing.
 Front labelled_front(const Cloud& cloud, const Orientation& orientation, double noise,
-                     const FrontParameters& parameters, core::Observer& observer);
+                     std::optional<double> edge_length, const FrontParameters& parameters, core::Observer& observer);
 
 }  // namespace dsc::reconstruct

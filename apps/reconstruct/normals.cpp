@@ -44,7 +44,7 @@ private:
 // In coordinates around the point, where squares lose no digits.
 std::vector<Plane> fitted_planes(const Cloud& cloud, std::size_t count) {
     std::vector<Plane> planes(cloud.size());
-    core::parallel_for(cloud.size(), [&](std::size_t i) {
+    core::parallel_for(cloud.size(), {.threads = cloud.threads}, [&](std::size_t i) {
         PlaneFit fit;
         fit.add(Point3::Zero(), 1);
         for (const std::uint32_t j : cloud.neighbours_of(i).first(count)) fit.add(cloud.points[j] - cloud.points[i], 1);
@@ -69,7 +69,7 @@ void NormalParameters::validate() const {
     if (rounds < 0) throw core::UsageError("rounds: has to be at least 0");
 }
 
-CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameters) {
+CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameters, std::optional<double> noise) {
     parameters.validate();
     const std::size_t n = cloud.size();
     CloudNormals result;
@@ -80,12 +80,12 @@ CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameter
     const std::vector<Plane> small = fitted_planes(cloud, few);
     std::vector<Plane> planes = fitted_planes(cloud, some);
     const double of_few = median_deviation(small), of_some = median_deviation(planes);
-    result.noise = std::max(0.0, 2 * of_few - of_some);
+    result.noise = noise.value_or(std::max(0.0, 2 * of_few - of_some));
     const bool is_noisy = result.noise > 0.05 * cloud.median_spacing;
     if (is_noisy) planes = fitted_planes(cloud, cloud.neighbour_count);
 
     std::vector<Vector3> axes(n);
-    core::parallel_for(n, [&](std::size_t i) {
+    core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
         double best = std::numeric_limits<double>::infinity();
         const auto consider = [&](std::size_t j) {
             const Plane& plane = planes[j];
@@ -102,8 +102,8 @@ CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameter
     const double least_cosine = std::cos(surface::radians(parameters.agreement));
     for (int round = 0; round < parameters.rounds; ++round) {
         std::vector<Vector3> next(n);
-        core::parallel_for(n, [&](std::size_t i) {
-            const double noise = result.noise + 0.1 * cloud.spacing[i];
+        core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
+            const double tolerance = 3 * result.noise + 0.3 * cloud.spacing[i];
             PlaneFit fit;
             fit.add(Point3::Zero(), 1);
             int agreeing = 0;
@@ -111,7 +111,7 @@ CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameter
                 const double cosine = std::abs(axes[i].dot(axes[j]));
                 if (cosine < least_cosine) continue;
                 const Vector3 way = cloud.points[j] - cloud.points[i];
-                const double offset = std::abs(way.dot(axes[i])) / (3 * noise + 0.25 * way.norm());
+                const double offset = std::abs(way.dot(axes[i])) / (tolerance + 0.25 * way.norm());
                 if (offset > 1) continue;
                 const double similarity = (cosine - least_cosine) / (1 - least_cosine);
                 fit.add(way, similarity * (1 - offset * offset));

@@ -6,6 +6,8 @@
 // number of threads. Cost: some 20 us per point.
 #pragma once
 
+#include <optional>
+
 #include "apps/reconstruct/cloud.h"
 
 namespace dsc::reconstruct {
@@ -23,6 +25,8 @@ struct CloudNormals {
     double noise = 0;           ///< standard deviation off the surface, in the cloud's scaled unit
 };
 
-CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameters);
+/// `noise`, when it is known, takes the place of the estimate.
+CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameters,
+                           std::optional<double> noise = std::nullopt);
 
 }  // namespace dsc::reconstruct

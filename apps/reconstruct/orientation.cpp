@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "apps/reconstruct/dipole_sum.h"
-#include "core/disjoint_sets.h"
+#include "core/errors.h"
 
 namespace dsc::reconstruct {
 
@@ -47,10 +47,10 @@ double dot(std::span<const Vector3> a, std::span<const Vector3> b) {
 }
 
 // Moments of the thinned points from nothing.
-std::vector<Vector3> consistent_moments(std::span<const Point3> points, double spacing,
+std::vector<Vector3> consistent_moments(std::span<const Point3> points, double spacing, int threads,
                                         const OrientationParameters& parameters, core::Observer& observer) {
     const KdTree tree(points);
-    const DipoleSum sum(tree, points);
+    const DipoleSum sum(tree, points, threads);
     const DipoleSum::Targets targets = sum.targets(points);
     const std::size_t n = points.size();
     std::vector<Vector3> moments(n, Vector3::Zero());
@@ -78,14 +78,26 @@ std::vector<Vector3> consistent_moments(std::span<const Point3> points, double s
     return moments;
 }
 
+void require(bool condition, const char* field, const char* range) {
+    if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
+}
+
 }  // namespace
+
+void OrientationParameters::validate() const {
+    require(most_points >= 4, "most_points", "at least 4");
+    require(rounds >= 1, "rounds", "at least 1");
+    require(passes >= 1, "passes", "at least 1");
+    require(first_width > 0, "first_width", "positive");
+    require(last_width > 0, "last_width", "positive");
+}
 
 Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes,
                              const OrientationParameters& parameters, core::Observer& observer) {
     const Thinned few = thinned(cloud, parameters.most_points);
     std::vector<Point3> places;
     for (const std::uint32_t i : few.index) places.push_back(cloud.points[i]);
-    const std::vector<Vector3> moments = consistent_moments(places, few.spacing, parameters, observer);
+    const std::vector<Vector3> moments = consistent_moments(places, few.spacing, cloud.threads, parameters, observer);
 
     Orientation result;
     const std::size_t n = cloud.size();
@@ -97,11 +109,11 @@ Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes,
     };
     {
         const KdTree tree(places);
-        const DipoleSum sum(tree, places);
+        const DipoleSum sum(tree, places, cloud.threads);
         turn(sum.gradients(sum.targets(cloud.points), moments, std::vector<double>(places.size(), few.spacing)));
     }
     const KdTree tree(cloud.points);
-    const DipoleSum sum(tree, cloud.points);
+    const DipoleSum sum(tree, cloud.points, cloud.threads);
     const DipoleSum::Targets targets = sum.targets(cloud.points);
     std::vector<Vector3> all(n);
     std::vector<double> widths(n);

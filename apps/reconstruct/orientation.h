@@ -19,6 +19,9 @@ struct OrientationParameters {
     int passes = 6;                  ///< of signs on the whole cloud; >= 1
     double first_width = 4;          ///< of the kernel, in spacings of the thinned cloud, falling from here ...
     double last_width = 1;           ///< ... to this; > 0
+
+    /// Throws core::UsageError naming the field.
+    void validate() const;
 };
 
 struct Orientation {

@@ -30,9 +30,13 @@ public:
           target_(bench.complex().vertex_attributes(), Point3(Point3::Zero())),
           error_(bench.complex().vertex_attributes(), 0.0) {}
 
-    SurfaceFitCounts run() {
+    SurfaceFitCounts run(const FitWatcher& watcher) {
+        const auto end_stage = [&](const char* stage) {
+            if (watcher) watcher(stage);
+        };
         for (int i = 0; i < parameters_.approaches; ++i) approach(i + 1 < parameters_.approaches);
         collapse_short_edges();
+        end_stage("patches");
         for (int round = 0; round < parameters_.rounds; ++round) {
             observer_.check_cancelled();
             observer_.progress("fitting", static_cast<double>(round) / parameters_.rounds, "");
@@ -43,9 +47,11 @@ public:
             settle(round + 1 < parameters_.rounds);
             flip_edges();
         }
+        end_stage("creases");
         decimate();
         flip_edges();
         balance();
+        end_stage("coarsened");
         for (const VertexId v : bench_.interface_vertices()) {
             counts_.crease_vertices += place_[v].sides == 2 ? 1 : 0;
             counts_.corners += place_[v].sides == 3 ? 1 : 0;
@@ -96,7 +102,7 @@ private:
     void approach(bool relaxes) {
         const std::vector<VertexId> vertices = bench_.interface_vertices();
         const std::vector<Point3> from = relaxed_positions(vertices, relaxes ? 0.5 : 0);
-        core::parallel_for(vertices.size(), [&](std::size_t i) {
+        core::parallel_for(vertices.size(), {.threads = model_.threads()}, [&](std::size_t i) {
             place_[vertices[i]] = model_.place(from[i], 0);
             target_[vertices[i]] = place_[vertices[i]].point;
         });
@@ -129,7 +135,7 @@ private:
         const std::vector<VertexId> vertices = bench_.interface_vertices();
         std::vector<SurfacePlace> found(vertices.size());
         std::vector<double> edge(vertices.size());
-        core::parallel_for(vertices.size(), [&](std::size_t i) {
+        core::parallel_for(vertices.size(), {.threads = model_.threads()}, [&](std::size_t i) {
             edge[i] = wanted_(bench_.position(vertices[i]));
             found[i] = model_.place(bench_.position(vertices[i]), parameters_.claim_reach * edge[i]);
         });
@@ -302,7 +308,7 @@ private:
     void settle(bool relaxes) {
         const std::vector<VertexId> vertices = bench_.interface_vertices();
         const std::vector<Point3> from = relaxed_positions(vertices, relaxes ? 0.5 : 0.25);
-        core::parallel_for(vertices.size(), [&](std::size_t i) {
+        core::parallel_for(vertices.size(), {.threads = model_.threads()}, [&](std::size_t i) {
             const VertexId v = vertices[i];
             if (place_[v].is_smooth()) {
                 const std::optional<SurfacePlace> place = model_.smooth_place(from[i], place_[v].normals[0]);
@@ -399,7 +405,7 @@ private:
         std::erase_if(vertices, [&](VertexId v) { return !place_[v].is_smooth(); });
         std::vector<Triangles> rings(vertices.size());
         for (std::size_t i = 0; i < vertices.size(); ++i) bench_.gather_ring(vertices[i], rings[i]);
-        core::parallel_for(vertices.size(), [&](std::size_t i) {
+        core::parallel_for(vertices.size(), {.threads = model_.threads()}, [&](std::size_t i) {
             const VertexId v = vertices[i];
             const Vector3& n = place_[v].normals[0];
             double sum = 0, weights = 0;
@@ -450,9 +456,9 @@ void SurfaceFitParameters::validate() const {
 
 SurfaceFitCounts fit_surface(Workbench& bench, const SurfaceModel& model,
                              const std::function<double(const Point3&)>& wanted,
-                             const SurfaceFitParameters& parameters, core::Observer& observer) {
+                             const SurfaceFitParameters& parameters, core::Observer& observer, const FitWatcher& watcher) {
     parameters.validate();
-    return SurfaceFit(bench, model, wanted, parameters, observer).run();
+    return SurfaceFit(bench, model, wanted, parameters, observer).run(watcher);
 }
 
 }  // namespace dsc::reconstruct

@@ -34,9 +34,13 @@ struct SurfaceFitCounts {
     std::size_t crease_vertices = 0, corners = 0;
 };
 
+/// Called at the end of a stage: "patches", "creases", "coarsened".
+using FitWatcher = std::function<void(const char* stage)>;
+
 /// `wanted`: length of edges at a place.
 SurfaceFitCounts fit_surface(Workbench& bench, const SurfaceModel& model,
                              const std::function<double(const Point3&)>& wanted,
-                             const SurfaceFitParameters& parameters, core::Observer& observer);
+                             const SurfaceFitParameters& parameters, core::Observer& observer,
+                             const FitWatcher& watcher = nullptr);
 
 }  // namespace dsc::reconstruct

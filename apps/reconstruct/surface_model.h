@@ -46,6 +46,7 @@ public:
     /// Spacing of the points at x.
     double spacing(const Point3& x) const;
     double noise() const { return noise_; }
+    int threads() const { return cloud_.threads; }
     const SurfaceModelParameters& parameters() const { return parameters_; }
 
 private:
