@@ -60,20 +60,6 @@ void scale_to_unit_box(Cloud& cloud) {
     cloud.scale *= scale;
 }
 
-void find_neighbours(Cloud& cloud, const CloudParameters& parameters) {
-    const std::size_t n = cloud.size();
-    cloud.neighbour_count = static_cast<std::uint32_t>(std::min<std::size_t>(parameters.neighbours, n - 1));
-    cloud.neighbours.resize(n * cloud.neighbour_count);
-    const KdTree tree(cloud.points);
-    core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
-        std::vector<KdTree::Neighbour> found;
-        tree.nearest(cloud.points[i], cloud.neighbour_count + 1, found);
-        // Itself comes first: no other point is at the same place.
-        for (std::size_t k = 0; k < cloud.neighbour_count; ++k)
-            cloud.neighbours[i * cloud.neighbour_count + k] = found[k + 1].index;
-    });
-}
-
 double distance_to_neighbour(const Cloud& cloud, std::size_t i, std::size_t k) {
     const std::span<const std::uint32_t> neighbours = cloud.neighbours_of(i);
     return (cloud.points[neighbours[std::min(k, neighbours.size()) - 1]] - cloud.points[i]).norm();
@@ -157,6 +143,20 @@ void CloudParameters::validate() const {
     require(stray_part >= 0 && stray_part < 1, "stray_part", "in [0, 1)");
 }
 
+void set_neighbours(Cloud& cloud, std::size_t count) {
+    const std::size_t n = cloud.size();
+    cloud.neighbour_count = static_cast<std::uint32_t>(std::min(count, n - 1));
+    cloud.neighbours.resize(n * cloud.neighbour_count);
+    const KdTree tree(cloud.points);
+    core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
+        std::vector<KdTree::Neighbour> found;
+        tree.nearest(cloud.points[i], cloud.neighbour_count + 1, found);
+        // Itself comes first: no other point is at the same place.
+        for (std::size_t k = 0; k < cloud.neighbour_count; ++k)
+            cloud.neighbours[i * cloud.neighbour_count + k] = found[k + 1].index;
+    });
+}
+
 Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source, int threads) {
     parameters.validate();
     Cloud cloud;
@@ -178,11 +178,11 @@ Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& para
     if (extent < 3)
         throw core::InputError(source, "", std::string("all points are ") + (extent < 2 ? "on a line" : "in a plane"),
                                "a closed surface needs points around a volume");
-    find_neighbours(cloud, parameters);
+    set_neighbours(cloud, static_cast<std::size_t>(parameters.neighbours));
     constexpr int most_rounds = 4;  // strays hide each other
     for (int round = 0; round < most_rounds && remove_strays(cloud, parameters); ++round) {
         scale_to_unit_box(cloud);
-        find_neighbours(cloud, parameters);
+        set_neighbours(cloud, static_cast<std::size_t>(parameters.neighbours));
     }
     std::sort(cloud.strays.begin(), cloud.strays.end());
     measure_spacing(cloud, parameters);

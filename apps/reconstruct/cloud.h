@@ -49,6 +49,9 @@ struct Cloud {
     Point3 to_input(const Point3& p) const { return origin + scale * p; }
 };
 
+/// Finds other numbers of neighbours.
+void set_neighbours(Cloud& cloud, std::size_t count);
+
 /// Throws core::InputError, naming `source`, for fewer than 4 different points, points on a line or in a plane, and
 /// coordinates too large to be squared.
 Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source, int threads = 0);

@@ -54,35 +54,40 @@ std::vector<Plane> fitted_planes(const Cloud& cloud, std::size_t count) {
     return planes;
 }
 
-double median_deviation(const std::vector<Plane>& planes) {
+// Of the points of a plane, as an unbiased estimate.
+double median_variance(const std::vector<Plane>& planes, std::size_t neighbours) {
     std::vector<double> values;
     values.reserve(planes.size());
-    for (const Plane& plane : planes) values.push_back(plane.deviation);
+    for (const Plane& plane : planes) values.push_back(plane.deviation * plane.deviation);
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
+    const double points = static_cast<double>(neighbours) + 1;
+    return values[values.size() / 2] * points / std::max(1.0, points - 3);
 }
 
 }  // namespace
 
 void NormalParameters::validate() const {
     if (!(agreement > 0 && agreement < 90)) throw core::UsageError("agreement: has to be in (0, 90)");
+    if (candidates < 4) throw core::UsageError("candidates: has to be at least 4");
+    if (!(noticeable_noise >= 0)) throw core::UsageError("noticeable_noise: has to be at least 0");
     if (rounds < 0) throw core::UsageError("rounds: has to be at least 0");
 }
 
-CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameters, std::optional<double> noise) {
+double estimated_noise(const Cloud& cloud) {
+    const std::size_t many = std::min<std::size_t>(24, cloud.neighbour_count), few = many / 2;
+    if (few < 4) return 0;
+    const double variance_of_few = median_variance(fitted_planes(cloud, few), few);
+    const double variance_of_many = median_variance(fitted_planes(cloud, many), many);
+    // Curvature makes the square of the deviation four times as large for twice as many neighbours.
+    return std::sqrt(std::max(0.0, (4 * variance_of_few - variance_of_many) / 3));
+}
+
+std::vector<Vector3> cloud_axes(const Cloud& cloud, double noise, const NormalParameters& parameters) {
     parameters.validate();
     const std::size_t n = cloud.size();
-    CloudNormals result;
-    // On a clean surface the deviation grows with the square of the reach, that is, with the number of neighbours;
-    // noise does not.
-    const std::size_t few = std::min<std::size_t>(8, cloud.neighbour_count);
-    const std::size_t some = std::min<std::size_t>(16, cloud.neighbour_count);
-    const std::vector<Plane> small = fitted_planes(cloud, few);
-    std::vector<Plane> planes = fitted_planes(cloud, some);
-    const double of_few = median_deviation(small), of_some = median_deviation(planes);
-    result.noise = noise.value_or(std::max(0.0, 2 * of_few - of_some));
-    const bool is_noisy = result.noise > 0.05 * cloud.median_spacing;
-    if (is_noisy) planes = fitted_planes(cloud, cloud.neighbour_count);
+    const std::size_t some = std::min<std::size_t>(parameters.candidates, cloud.neighbour_count);
+    const bool is_noisy = noise > parameters.noticeable_noise * cloud.median_spacing;
+    const std::vector<Plane> planes = fitted_planes(cloud, is_noisy ? cloud.neighbour_count : some);
 
     std::vector<Vector3> axes(n);
     core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
@@ -103,7 +108,7 @@ CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameter
     for (int round = 0; round < parameters.rounds; ++round) {
         std::vector<Vector3> next(n);
         core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
-            const double tolerance = 3 * result.noise + 0.3 * cloud.spacing[i];
+            const double tolerance = 3 * noise + 0.3 * cloud.spacing[i];
             PlaneFit fit;
             fit.add(Point3::Zero(), 1);
             int agreeing = 0;
@@ -121,8 +126,7 @@ CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameter
         });
         axes.swap(next);
     }
-    result.axes = std::move(axes);
-    return result;
+    return axes;
 }
 
 }  // namespace dsc::reconstruct

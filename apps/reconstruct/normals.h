@@ -6,27 +6,25 @@
 // number of threads. Cost: some 20 us per point.
 #pragma once
 
-#include <optional>
-
 #include "apps/reconstruct/cloud.h"
 
 namespace dsc::reconstruct {
 
 struct NormalParameters {
     double agreement = 30;  ///< planes of neighbours bent by more belong to different sides [degree]; (0, 90)
+    int candidates = 16;    ///< neighbours whose planes a point may take, and that make a plane; >= 4
+    double noticeable_noise = 0.05;  ///< from here on planes are made of all neighbours [spacing]; >= 0
     int rounds = 3;         ///< of fitting again; >= 0
 
     /// Throws core::UsageError naming the field.
     void validate() const;
 };
 
-struct CloudNormals {
-    std::vector<Vector3> axes;  ///< unit, of either sign
-    double noise = 0;           ///< standard deviation off the surface, in the cloud's scaled unit
-};
+/// Standard deviation of the points off the surface, in the cloud's scaled unit. On a clean surface the deviation from
+/// planes grows with the square of their reach, that is, with the number of neighbours; what noise adds does not.
+double estimated_noise(const Cloud& cloud);
 
-/// `noise`, when it is known, takes the place of the estimate.
-CloudNormals cloud_normals(const Cloud& cloud, const NormalParameters& parameters,
-                           std::optional<double> noise = std::nullopt);
+/// Unit vectors of either sign.
+std::vector<Vector3> cloud_axes(const Cloud& cloud, double noise, const NormalParameters& parameters);
 
 }  // namespace dsc::reconstruct

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <queue>
 
 #include "apps/reconstruct/dipole_sum.h"
 #include "core/errors.h"
@@ -78,6 +80,79 @@ std::vector<Vector3> consistent_moments(std::span<const Point3> points, double s
     return moments;
 }
 
+// The disk of a point's nearest neighbours on its own sheet: the other side of something thin does not count.
+std::vector<double> sheet_areas(const Cloud& cloud, std::span<const Vector3> normals) {
+    constexpr double opposite_cosine = -0.5;
+    constexpr std::size_t enough = 12;
+    std::vector<double> areas(cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+        std::size_t count = 0;
+        double squared_radius = 0;
+        for (const std::uint32_t j : cloud.neighbours_of(i)) {
+            if (normals[i].dot(normals[j]) < opposite_cosine) continue;
+            squared_radius = (cloud.points[j] - cloud.points[i]).squaredNorm();
+            if (++count == enough) break;
+        }
+        areas[i] = count > 0 ? std::numbers::pi * squared_radius / static_cast<double>(count)
+                             : cloud.spacing[i] * cloud.spacing[i];
+    }
+    return areas;
+}
+
+// Where the winding number at the points is not near 1/2, signs are mixed, as they may be on both sides of a piece of a
+// thin plate: there each point takes the side of a neighbour in the same plane that has one, the flattest way first
+// (Hoppe et al. 1992). False when there are none.
+bool orient_doubtful(const Cloud& cloud, std::span<const double> winding, std::vector<Vector3>& normals) {
+    constexpr double sure = 0.2;
+    const std::size_t n = cloud.size();
+    std::vector<std::uint8_t> is_settled(n, 1);
+    std::size_t doubtful = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        double sum = winding[i];
+        for (const std::uint32_t j : cloud.neighbours_of(i)) sum += winding[j];
+        if (std::abs(winding[i] - 0.5) < sure && std::abs(sum / (1 + cloud.neighbour_count) - 0.5) < sure) continue;
+        is_settled[i] = 0;
+        ++doubtful;
+    }
+    if (doubtful == 0 || doubtful == n) return false;
+    struct Step {
+        double cost;
+        std::uint32_t to, from;
+        bool operator>(const Step& other) const {
+            if (cost != other.cost) return cost > other.cost;
+            return to != other.to ? to > other.to : from > other.from;
+        }
+    };
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
+    // Neighbours both ways: the nearest ones of a point need not have it among theirs.
+    std::vector<std::vector<std::uint32_t>> around(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+        for (const std::uint32_t j : cloud.neighbours_of(i)) {
+            if (is_settled[i] == 0) around[j].push_back(i);
+            if (is_settled[j] == 0) around[i].push_back(j);
+        }
+    const auto offer = [&](std::uint32_t from) {
+        for (const std::uint32_t to : around[from]) {
+            if (is_settled[to] != 0) continue;
+            const Vector3 way = cloud.points[to] - cloud.points[from];
+            const double height =
+                std::max(std::abs(way.dot(normals[from])), std::abs(way.dot(normals[to]))) / way.norm();
+            queue.push({1 - std::abs(normals[from].dot(normals[to])) + height, to, from});
+        }
+    };
+    for (std::uint32_t i = 0; i < n; ++i)
+        if (is_settled[i] != 0) offer(i);
+    while (!queue.empty()) {
+        const Step step = queue.top();
+        queue.pop();
+        if (is_settled[step.to] != 0) continue;
+        is_settled[step.to] = 1;
+        if (normals[step.from].dot(normals[step.to]) < 0) normals[step.to] = -normals[step.to];
+        offer(step.to);
+    }
+    return true;
+}
+
 void require(bool condition, const char* field, const char* range) {
     if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
 }
@@ -88,6 +163,7 @@ void OrientationParameters::validate() const {
     require(most_points >= 4, "most_points", "at least 4");
     require(rounds >= 1, "rounds", "at least 1");
     require(passes >= 1, "passes", "at least 1");
+    require(repairs >= 0, "repairs", "at least 0");
     require(first_width > 0, "first_width", "positive");
     require(last_width > 0, "last_width", "positive");
 }
@@ -122,6 +198,13 @@ Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes,
         observer.check_cancelled();
         for (std::size_t i = 0; i < n; ++i) all[i] = result.areas[i] * result.normals[i];
         turn(sum.gradients(targets, all, widths));
+        result.areas = sheet_areas(cloud, result.normals);
+    }
+    for (int pass = 0; pass < parameters.repairs; ++pass) {
+        for (std::size_t i = 0; i < n; ++i) all[i] = result.areas[i] * result.normals[i];
+        const std::vector<double> winding = sum.winding_numbers(targets, all, widths);
+        if (!orient_doubtful(cloud, winding, result.normals)) break;
+        result.areas = sheet_areas(cloud, result.normals);
     }
     return result;
 }

@@ -17,6 +17,7 @@ struct OrientationParameters {
     std::size_t most_points = 15000;  ///< that are oriented from nothing; the others follow them; >= 4
     int rounds = 40;                 ///< of descent; >= 1
     int passes = 6;                  ///< of signs on the whole cloud; >= 1
+    int repairs = 3;                 ///< of places where signs are mixed; >= 0
     double first_width = 4;          ///< of the kernel, in spacings of the thinned cloud, falling from here ...
     double last_width = 1;           ///< ... to this; > 0
 

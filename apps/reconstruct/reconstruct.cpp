@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "apps/reconstruct/distances.h"
 #include "core/disjoint_sets.h"
@@ -97,6 +98,13 @@ void measure(const Cloud& cloud, const ReconstructParameters& parameters, Recons
     }
 }
 
+// So many that their disk is as wide as noise asks for, which is a ratio of the spacing.
+int wanted_neighbours(double noise, const ReconstructParameters& parameters) {
+    const double radius = parameters.noise_reach * noise;
+    return static_cast<int>(std::clamp(std::numbers::pi * radius * radius, static_cast<double>(parameters.cloud.neighbours),
+                                       static_cast<double>(parameters.most_neighbours)));
+}
+
 }  // namespace
 
 void ReconstructParameters::validate() const {
@@ -104,6 +112,8 @@ void ReconstructParameters::validate() const {
     if (noise && !(*noise >= 0)) throw core::UsageError("noise: has to be at least 0");
     if (!(min_angle > 0 && min_angle <= 40)) throw core::UsageError("min_angle: has to be in (0, 40]");
     if (!(invented_distance > 0)) throw core::UsageError("invented_distance: has to be positive");
+    if (!(noise_reach > 0)) throw core::UsageError("noise_reach: has to be positive");
+    if (most_neighbours < cloud.neighbours) throw core::UsageError("most_neighbours: has to be at least neighbours");
     cloud.validate();
     normals.validate();
     orientation.validate();
@@ -127,18 +137,25 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
 
     observer.progress("measuring the cloud", -1, "");
     Cloud cloud = prepared_cloud(data.points, parameters.cloud, source, parameters.threads);
-    CloudNormals normals = cloud_normals(cloud, parameters.normals, parameters.noise ? std::optional(*parameters.noise / cloud.scale) : std::nullopt);
+    const double noise = parameters.noise ? *parameters.noise / cloud.scale : estimated_noise(cloud);
+    SurfaceModelParameters model_parameters = parameters.model;
+    const int neighbours = wanted_neighbours(noise / cloud.median_spacing, parameters);
+    if (neighbours > parameters.cloud.neighbours) {
+        set_neighbours(cloud, static_cast<std::size_t>(neighbours));
+        model_parameters.points = std::max(model_parameters.points, neighbours);
+    }
+    const std::vector<Vector3> axes = cloud_axes(cloud, noise, parameters.normals);
     end_phase("cloud");
-    const Orientation orientation = oriented_normals(cloud, normals.axes, parameters.orientation, observer);
+    const Orientation orientation = oriented_normals(cloud, axes, parameters.orientation, observer);
     end_phase("orientation");
-    Front front = labelled_front(cloud, orientation, normals.noise,
+    Front front = labelled_front(cloud, orientation, noise,
                                  parameters.detail ? std::optional(*parameters.detail / cloud.scale) : std::nullopt,
                                  parameters.front, observer);
     if (watcher) watcher("front", interface_of(*front.mesh, cloud));
     end_phase("front");
 
     const KdTree tree(cloud.points);
-    const SurfaceModel model(cloud, tree, orientation.normals, normals.noise, parameters.model);
+    const SurfaceModel model(cloud, tree, orientation.normals, noise, model_parameters);
     const auto wanted = [&](const Point3& p) { return front.wanted_edge(tree.nearest(p).index); };
     double mean_edge = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i) mean_edge += front.wanted_edge(i) / static_cast<double>(cloud.size());
@@ -159,7 +176,7 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
     result.duplicates = cloud.duplicates;
     result.strays = cloud.strays;
     result.spacing = cloud.median_spacing * cloud.scale;
-    result.noise = normals.noise * cloud.scale;
+    result.noise = noise * cloud.scale;
     result.cavities = front.cavities;
     result.dropped_parts = front.dropped_parts;
     measure(cloud, parameters, result);

@@ -37,7 +37,10 @@ struct ReconstructParameters {
     bool makes_tets = false;       ///< improve and return the tetrahedra inside, too
     double min_angle = 12;         ///< that their dihedral angles should have [degree]; (0, 40]
     double invented_distance = 3;  ///< triangles farther from all points are invented [spacing]; > 0
-    int threads = 0;               ///< 0: all
+    /// Points that a place is judged by reach this far, in standard deviations of the noise, ...
+    double noise_reach = 12;  ///< > 0
+    int most_neighbours = 80; ///< ... but are no more than this; at least cloud.neighbours
+    int threads = 0;          ///< 0: all
     CloudParameters cloud = {};
     NormalParameters normals = {};
     OrientationParameters orientation = {};

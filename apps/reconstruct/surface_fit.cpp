@@ -103,7 +103,7 @@ private:
         const std::vector<VertexId> vertices = bench_.interface_vertices();
         const std::vector<Point3> from = relaxed_positions(vertices, relaxes ? 0.5 : 0);
         core::parallel_for(vertices.size(), {.threads = model_.threads()}, [&](std::size_t i) {
-            place_[vertices[i]] = model_.place(from[i], 0);
+            place_[vertices[i]] = model_.place(from[i], 0, 0);
             target_[vertices[i]] = place_[vertices[i]].point;
         });
         limit_targets(vertices);
@@ -137,7 +137,8 @@ private:
         std::vector<double> edge(vertices.size());
         core::parallel_for(vertices.size(), {.threads = model_.threads()}, [&](std::size_t i) {
             edge[i] = wanted_(bench_.position(vertices[i]));
-            found[i] = model_.place(bench_.position(vertices[i]), parameters_.claim_reach * edge[i]);
+            found[i] = model_.place(bench_.position(vertices[i]), parameters_.corner_reach * edge[i],
+                                    parameters_.claim_reach * edge[i]);
         });
         struct Claim {
             int sides;
@@ -159,13 +160,17 @@ private:
         for (const Claim& claim : claims) {
             const VertexId v = vertices[claim.at];
             bench_.gather_ring(v, ring);
-            const bool is_taken = std::any_of(ring.begin(), ring.end(), [&](const auto& pair) {
-                const SurfacePlace& other = place_[pair[0]];
-                return other.sides > 1 && other.sides >= claim.sides &&
-                       (other.point - found[claim.at].point).norm() <
-                           parameters_.claim_distance * edge[claim.at];
-            });
-            place_[v] = is_taken ? model_.place(bench_.position(v), 0) : found[claim.at];
+            const auto is_taken = [&](const SurfacePlace& place) {
+                return std::any_of(ring.begin(), ring.end(), [&](const auto& pair) {
+                    const SurfacePlace& other = place_[pair[0]];
+                    return other.sides > 1 && other.sides >= place.sides &&
+                           (other.point - place.point).norm() < parameters_.claim_distance * edge[claim.at];
+                });
+            };
+            place_[v] = found[claim.at];
+            if (place_[v].sides == 3 && is_taken(place_[v]))
+                place_[v] = model_.place(bench_.position(v), 0, parameters_.claim_reach * edge[claim.at]);
+            if (place_[v].sides == 2 && is_taken(place_[v])) place_[v] = model_.place(bench_.position(v), 0, 0);
         }
         for (const VertexId v : vertices) target_[v] = place_[v].point;
         limit_targets(vertices);
@@ -212,7 +217,7 @@ private:
         const double share =
             sum > 0 ? std::clamp(beyond_b / sum, parameters_.cut_margin, 1 - parameters_.cut_margin) : 0.5;
         const Point3 at = p + share * (q - p);
-        const SurfacePlace place = model_.place(at, 0.7 * edge);
+        const SurfacePlace place = model_.place(at, 0.7 * edge, 0.7 * edge);
         const VertexId m = bench_.split(e, at);
         if (!m.is_valid()) return m;
         place_[m] = place;
@@ -315,8 +320,10 @@ private:
                 if (place) place_[v] = *place;
                 target_[v] = place_[v].point;
             } else {
+                const double edge = wanted_(bench_.position(v));
                 const SurfacePlace place =
-                    model_.place(bench_.position(v), parameters_.claim_reach * wanted_(bench_.position(v)));
+                    model_.place(bench_.position(v), place_[v].sides == 3 ? parameters_.corner_reach * edge : 0,
+                                 parameters_.claim_reach * edge);
                 if (place.sides == place_[v].sides && is_within(place, place_[v])) place_[v] = place;
                 target_[v] = place_[v].point;
             }
@@ -447,6 +454,7 @@ void SurfaceFitParameters::validate() const {
     require(approaches >= 1, "approaches", "at least 1");
     require(rounds >= 0, "rounds", "at least 0");
     require(claim_reach > 0, "claim_reach", "positive");
+    require(corner_reach > 0, "corner_reach", "positive");
     require(claim_distance >= 0, "claim_distance", "at least 0");
     require(cut_margin > 0 && cut_margin < 0.5, "cut_margin", "in (0, 0.5)");
     require(short_edge >= 0, "short_edge", "at least 0");

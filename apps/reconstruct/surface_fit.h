@@ -19,6 +19,7 @@ struct SurfaceFitParameters {
     int approaches = 3;           ///< rounds of moving to patches before creases are looked for; >= 1
     int rounds = 2;               ///< of claiming creases, cutting, collapsing, flipping; >= 0
     double claim_reach = 0.45;    ///< a vertex goes to a crease no farther away than this [wanted edge]; > 0
+    double corner_reach = 0.8;    ///< ... or to a corner [wanted edge]; > 0
     double claim_distance = 0.35; ///< ... unless a neighbour has a place on it nearer to that one's [wanted edge]; >= 0
     double cut_margin = 0.1;      ///< cuts keep this share of the edge from its ends; in (0, 0.5)
     double short_edge = 0.35;     ///< shorter edges are collapsed [wanted edge]; >= 0

@@ -139,13 +139,13 @@ std::optional<SurfacePlace> SurfaceModel::meeting(const Near& near, const Point3
     return place;
 }
 
-SurfacePlace SurfaceModel::place(const Point3& x, double reach) const {
+SurfacePlace SurfaceModel::place(const Point3& x, double corner_reach, double crease_reach) const {
     Near near;
     tree_.nearest(x, static_cast<std::size_t>(parameters_.points), near);
     const std::vector<Vector3> sides = side_normals(near);
     const double far = 1.5 * cloud_.spacing[near.front().index] + 2 * noise_;
     std::optional<SurfacePlace> best;
-    double least = reach;
+    double least = corner_reach;
     const auto consider = [&](std::span<const Vector3> normals) {
         const std::optional<SurfacePlace> found = meeting(near, x, normals);
         if (!found) return;
@@ -160,6 +160,7 @@ SurfacePlace SurfaceModel::place(const Point3& x, double reach) const {
                 for (std::size_t k = 0; k < j; ++k) consider(std::array{sides[k], sides[j], sides[i]});
         if (best) return *best;
     }
+    least = crease_reach;
     for (std::size_t i = 0; i < sides.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) consider(std::array{sides[j], sides[i]});
     if (best) return *best;

@@ -39,8 +39,8 @@ public:
     SurfaceModel(const Cloud& cloud, const KdTree& tree, std::span<const Vector3> normals, double noise,
                  const SurfaceModelParameters& parameters);
 
-    /// The place of the surface nearest to x, about; on a crease or corner when there is one within `reach`.
-    SurfacePlace place(const Point3& x, double reach) const;
+    /// The place of the surface nearest to x, about; on a corner or crease when there is one within reach.
+    SurfacePlace place(const Point3& x, double corner_reach, double crease_reach) const;
     /// The same on the smooth piece whose normal is nearest to `normal`; none when no points have such a one.
     std::optional<SurfacePlace> smooth_place(const Point3& x, const Vector3& normal) const;
     /// Spacing of the points at x.
