@@ -18,6 +18,7 @@ constexpr int max_bisections = 60;
 
 class Fit {
 public:
+    /// Without a function the one given by `values` is linear along the edges.
     Fit(Mesh& mesh, const Function& function, const FitParameters& parameters)
         : mesh_(mesh),
           complex_(mesh.complex()),
@@ -27,12 +28,23 @@ public:
 
     void run() {
         evaluate();
+        finish();
+    }
+
+    void run(std::span<const double> values) {
+        if (values.size() != complex_.vertex_capacity())
+            throw core::UsageError("fit: there have to be as many values as vertices");
+        for_each<VertexId>(complex_.vertex_capacity(), complex_, [&](VertexId v) { take(v, values[v.index()]); });
+        finish();
+    }
+
+private:
+    void finish() {
         warp();
         cut();
         label();
     }
 
-private:
     template <class Handle, class Use>
     static void for_each(std::uint32_t count, const Complex& complex, Use&& use) {
         for (std::uint32_t i = 0; i < count; ++i)
@@ -40,17 +52,20 @@ private:
     }
 
     void evaluate() {
-        for_each<VertexId>(complex_.vertex_capacity(), complex_, [&](VertexId v) {
-            value_[v] = function_(mesh_.position(v));
-            if (!std::isfinite(value_[v]))
-                throw core::UsageError("fit: the function is not finite at a vertex of the mesh");
-            if (complex_.is_boundary(v) && value_[v] <= 0)
-                throw core::UsageError("fit: the surface reaches the boundary of the domain; make the domain larger");
-        });
+        for_each<VertexId>(complex_.vertex_capacity(), complex_,
+                           [&](VertexId v) { take(v, function_(mesh_.position(v))); });
+    }
+
+    void take(VertexId v, double value) {
+        value_[v] = value;
+        if (!std::isfinite(value)) throw core::UsageError("fit: the function is not finite at a vertex of the mesh");
+        if (complex_.is_boundary(v) && value <= 0)
+            throw core::UsageError("fit: the surface reaches the boundary of the domain; make the domain larger");
     }
 
     // Share of the way from a to b at which the function vanishes. Precondition: it has different signs there.
     double crossing(VertexId a, VertexId b) const {
+        if (!function_) return value_[a] / (value_[a] - value_[b]);
         const Point3 &p = mesh_.position(a), &q = mesh_.position(b);
         double low = 0, high = 1;
         for (int i = 0; i < max_bisections && high - low > 1e-15; ++i) {
@@ -106,29 +121,39 @@ private:
         });
     }
 
-    // A tetrahedron with all its vertices on the surface goes to the side of its centroid.
+    // A tetrahedron with all its vertices on the surface goes to the side of its centroid; when only values are known,
+    // it stays outside.
     void label() {
         for_each<TetId>(complex_.tet_capacity(), complex_, [&](TetId t) {
             double sum = 0;
             Point3 centroid = Point3::Zero();
             for (const VertexId v : complex_.vertices(t)) sum += value_[v], centroid += 0.25 * mesh_.position(v);
-            if (sum == 0) sum = function_(centroid);
+            if (sum == 0 && function_) sum = function_(centroid);
             if (sum < 0) complex_.set_label(t, parameters_.inside);
         });
     }
 
     Mesh& mesh_;
     Complex& complex_;
-    const Function& function_;
+    Function function_;
     FitParameters parameters_;
     core::Attribute<VertexId, double> value_;
 };
 
+void require_valid(const FitParameters& parameters) {
+    if (!(parameters.warp >= 0 && parameters.warp < 0.5)) throw core::UsageError("fit: warp has to be in [0, 0.5)");
+}
+
 }  // namespace
 
 void fit(Mesh& mesh, const Function& function, const FitParameters& parameters) {
-    if (!(parameters.warp >= 0 && parameters.warp < 0.5)) throw core::UsageError("fit: warp has to be in [0, 0.5)");
+    require_valid(parameters);
     Fit(mesh, function, parameters).run();
+}
+
+void fit(Mesh& mesh, std::span<const double> values, const FitParameters& parameters) {
+    require_valid(parameters);
+    Fit(mesh, nullptr, parameters).run(values);
 }
 
 }  // namespace dsc::dsc3d

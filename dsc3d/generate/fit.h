@@ -10,6 +10,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "dsc3d/mesh.h"
 
@@ -23,5 +24,9 @@ struct FitParameters {
 /// `function`: continuous, negative inside. Throws core::UsageError when the surface reaches the boundary of the
 /// domain, or the function is not finite at a vertex.
 void fit(Mesh& mesh, const std::function<double(const Point3&)>& function, const FitParameters& parameters = {});
+
+/// The same for values at the vertices, in the order of their handles, and linear along the edges: for a function that
+/// is dear, or known there only. Throws core::UsageError as above, and when there are not as many values as vertices.
+void fit(Mesh& mesh, std::span<const double> values, const FitParameters& parameters = {});
 
 }  // namespace dsc::dsc3d

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/reconstruct/surface_model.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.h"
+#include "surface/triangle.h"
+
+namespace dsc::reconstruct {
+
+namespace {
+
+// A unit vector perpendicular to n.
+Vector3 perpendicular(const Vector3& n) {
+    Eigen::Index least = 0;
+    n.cwiseAbs().minCoeff(&least);
+    return n.cross(Vector3::Unit(least)).normalized();
+}
+
+}  // namespace
+
+void SurfaceModelParameters::validate() const {
+    if (points < 6) throw core::UsageError("points: has to be at least 6");
+    if (!(side_angle > 0 && side_angle < 90)) throw core::UsageError("side_angle: has to be in (0, 90)");
+    if (!(crease_angle > 0 && crease_angle < 90)) throw core::UsageError("crease_angle: has to be in (0, 90)");
+    if (least_side_points < 3) throw core::UsageError("least_side_points: has to be at least 3");
+}
+
+SurfaceModel::SurfaceModel(const Cloud& cloud, const KdTree& tree, std::span<const Vector3> normals, double noise,
+                           const SurfaceModelParameters& parameters)
+    : cloud_(cloud),
+      tree_(tree),
+      normals_(normals),
+      noise_(noise),
+      parameters_(parameters),
+      side_cosine_(std::cos(surface::radians(parameters.side_angle))) {
+    parameters.validate();
+}
+
+double SurfaceModel::spacing(const Point3& x) const { return cloud_.spacing[tree_.nearest(x).index]; }
+
+// The patch z = a + bu + cv + du^2 + euv + fv^2 over the plane through x, by weighted least squares over the points of
+// the side; a plane when they are few.
+SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, const Vector3& normal) const {
+    using Vector6 = Eigen::Matrix<double, 6, 1>;
+    constexpr int enough_for_quadratic = 9;
+    Sample sample{x, normal, 0};
+    const double reach = std::sqrt(near.back().squared_distance);
+    for (int step = 0; step < 2; ++step) {
+        const Vector3 n = sample.normal, u = perpendicular(n), v = n.cross(u);
+        Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+        Vector6 right = Vector6::Zero();
+        int count = 0;
+        double weights = 0;
+        for (const KdTree::Neighbour& neighbour : near) {
+            if (normals_[neighbour.index].dot(n) < side_cosine_) continue;
+            const Vector3 way = (cloud_.points[neighbour.index] - sample.point) / reach;
+            const double s = way.dot(u), t = way.dot(v);
+            const double weight = std::exp(-2 * way.squaredNorm());
+            Vector6 row;
+            row << 1, s, t, s * s, s * t, t * t;
+            matrix.noalias() += weight * row * row.transpose();
+            right += weight * way.dot(n) * row;
+            weights += weight;
+            ++count;
+        }
+        sample.points = count;
+        if (count < 3) return sample;
+        // Curvature costs a little: then few or noisy points make a plane rather than a wild patch.
+        const double stiffness = count < enough_for_quadratic ? 1e3 : 1e-3 + 2 * noise_ / reach;
+        for (int k = 3; k < 6; ++k) matrix(k, k) += stiffness * weights * 0.05;
+        for (int k = 1; k < 3; ++k) matrix(k, k) += 1e-4 * weights;
+        const Vector6 patch = matrix.ldlt().solve(right);
+        sample.point += reach * patch[0] * n;
+        sample.normal = (n - patch[1] * u - patch[2] * v).normalized();
+    }
+    return sample;
+}
+
+std::optional<SurfacePlace> SurfaceModel::smooth_place(const Point3& x, const Vector3& normal) const {
+    Near near;
+    tree_.nearest(x, static_cast<std::size_t>(parameters_.points), near);
+    const Sample sample = fitted(near, x, normal);
+    if (sample.points < parameters_.least_side_points) return std::nullopt;
+    return SurfacePlace{sample.point, {sample.normal}, 1};
+}
+
+// Groups of normals, that of the nearest point first.
+std::vector<Vector3> SurfaceModel::side_normals(const Near& near) const {
+    std::vector<Vector3> sides;
+    std::vector<std::uint32_t> rest;
+    for (const KdTree::Neighbour& neighbour : near) rest.push_back(neighbour.index);
+    while (!rest.empty()) {
+        Vector3 mean = normals_[rest.front()];
+        for (int round = 0; round < 2; ++round) {
+            Vector3 sum = Vector3::Zero();
+            for (const std::uint32_t i : rest)
+                if (normals_[i].dot(mean) > side_cosine_) sum += normals_[i];
+            if (sum.squaredNorm() > 0) mean = sum.normalized();
+        }
+        const std::size_t before = rest.size();
+        const std::uint32_t first = rest.front();
+        std::erase_if(rest, [&](std::uint32_t i) { return i == first || normals_[i].dot(mean) > side_cosine_; });
+        if (before - rest.size() >= static_cast<std::size_t>(parameters_.least_side_points)) sides.push_back(mean);
+    }
+    return sides;
+}
+
+// The place near x where the patches with these normals meet: the least way to the intersection of their tangent
+// planes, again and again. None when they don't, or meet so gently that they are one piece.
+std::optional<SurfacePlace> SurfaceModel::meeting(const Near& near, const Point3& x,
+                                                  std::span<const Vector3> normals) const {
+    SurfacePlace place{x, {}, static_cast<int>(normals.size())};
+    std::array<Sample, 3> samples;
+    for (std::size_t i = 0; i < normals.size(); ++i) samples[i].normal = normals[i];
+    const double crease_cosine = std::cos(surface::radians(parameters_.crease_angle));
+    constexpr int steps = 4;
+    for (int step = 0; step < steps; ++step) {
+        Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3> planes(static_cast<Eigen::Index>(normals.size()), 3);
+        Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> heights(static_cast<Eigen::Index>(normals.size()));
+        for (std::size_t i = 0; i < normals.size(); ++i) {
+            samples[i] = fitted(near, place.point, samples[i].normal);
+            if (samples[i].points < parameters_.least_side_points) return std::nullopt;
+            planes.row(static_cast<Eigen::Index>(i)) = samples[i].normal.transpose();
+            heights[static_cast<Eigen::Index>(i)] = (samples[i].point - place.point).dot(samples[i].normal);
+        }
+        for (std::size_t i = 0; i < normals.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (samples[i].normal.dot(samples[j].normal) > crease_cosine) return std::nullopt;
+        const Eigen::JacobiSVD<Eigen::MatrixXd> solver(planes, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        // Three planes that meet in a line make no corner.
+        if (solver.singularValues().minCoeff() < 0.2) return std::nullopt;
+        place.point += solver.solve(heights);
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i) place.normals[i] = samples[i].normal;
+    return place;
+}
+
+SurfacePlace SurfaceModel::place(const Point3& x, double corner_reach, double crease_reach) const {
+    Near near;
+    tree_.nearest(x, static_cast<std::size_t>(parameters_.points), near);
+    const std::vector<Vector3> sides = side_normals(near);
+    const double far = 1.5 * cloud_.spacing[near.front().index] + 2 * noise_;
+    std::optional<SurfacePlace> best;
+    double least = corner_reach;
+    const auto consider = [&](std::span<const Vector3> normals) {
+        const std::optional<SurfacePlace> found = meeting(near, x, normals);
+        if (!found) return;
+        const double distance = (found->point - x).norm();
+        if (distance > least || std::sqrt(tree_.nearest(found->point).squared_distance) > far) return;
+        least = distance;
+        best = found;
+    };
+    if (sides.size() >= 3) {
+        for (std::size_t i = 0; i < sides.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                for (std::size_t k = 0; k < j; ++k) consider(std::array{sides[k], sides[j], sides[i]});
+        if (best) return *best;
+    }
+    least = crease_reach;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) consider(std::array{sides[j], sides[i]});
+    if (best) return *best;
+    const Vector3 normal = sides.empty() ? normals_[near.front().index] : sides.front();
+    const Sample sample = fitted(near, x, normal);
+    return {sample.point, {sample.normal}, 1};
+}
+
+}  // namespace dsc::reconstruct
