@@ -16,6 +16,7 @@ void FlowParameters<Dimension>::validate() const {
     if (!(compensation >= 0 && compensation <= 1)) throw core::UsageError("compensation: has to be in [0, 1]");
     if (!(capillary_share > 0) || !std::isfinite(capillary_share))
         throw core::UsageError("capillary_share: has to be positive");
+    if (!(gravity_share > 0 && gravity_share <= 1)) throw core::UsageError("gravity_share: has to be in (0, 1]");
     if (!(deformation_share > 0 && deformation_share < 1))
         throw core::UsageError("deformation_share: has to be in (0, 1)");
 }
@@ -47,6 +48,9 @@ double Flow<Dimension>::longest_step(const FlowState<Dimension>& state,
     const double lightest = *std::min_element(densities_.begin(), densities_.end());
     if (const auto limit = capillary_limit<Dimension>(state.mesh.positions, surface, lightest))
         longest = std::min(longest, parameters_.capillary_share * *limit);
+    if (!contacts.empty())  // nothing that falls freely has waves of gravity
+        if (const auto limit = gravity_limit<Dimension>(state.mesh, parameters_.fluid.gravity))
+            longest = std::min(longest, parameters_.gravity_share * *limit);
     if (const auto limit = deformation_limit<Dimension>(state.mesh, state.velocities))
         longest = std::min(longest, parameters_.deformation_share * *limit);
     return longest;

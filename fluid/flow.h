@@ -28,8 +28,10 @@ struct FlowParameters {
     Tensions tensions = {};
     /// tau: the share of a part's missing volume that a step brings back. In [0, 1].
     double compensation = 0.5;
-    /// The longest step, in capillary limits and in deformation limits (time_step.h). In (0, 1], (0, 1).
+    /// The longest step, in the limits of time_step.h. > 0 (beyond 1, with tension to second order only), in (0, 1], in
+    /// (0, 1).
     double capillary_share = 0.5;
+    double gravity_share = 0.5;
     double deformation_share = 0.25;
 
     /// Throws core::UsageError that names the first field out of its range.

@@ -25,6 +25,17 @@ std::optional<double> capillary_limit(const std::vector<Vector<Dimension>>& posi
 }
 
 template <int Dimension>
+std::optional<double> gravity_limit(const SimplexMesh<Dimension>& mesh, const Vector<Dimension>& gravity) {
+    if (gravity.isZero(0)) return std::nullopt;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& cell : mesh.cells)
+        for (std::size_t a = 0; a <= Dimension; ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                shortest = std::min(shortest, (mesh.positions[cell[a]] - mesh.positions[cell[b]]).norm());
+    return std::sqrt(shortest / gravity.norm());
+}
+
+template <int Dimension>
 std::optional<double> deformation_limit(const SimplexMesh<Dimension>& mesh,
                                         std::span<const Vector<Dimension>> velocities) {
     double fastest = 0;
@@ -41,6 +52,8 @@ template std::optional<double> capillary_limit(const std::vector<Vector<2>>&, st
                                                double);
 template std::optional<double> capillary_limit(const std::vector<Vector<3>>&, std::span<const SurfaceElement<3>>,
                                                double);
+template std::optional<double> gravity_limit(const SimplexMesh<2>&, const Vector<2>&);
+template std::optional<double> gravity_limit(const SimplexMesh<3>&, const Vector<3>&);
 template std::optional<double> deformation_limit(const SimplexMesh<2>&, std::span<const Vector<2>>);
 template std::optional<double> deformation_limit(const SimplexMesh<3>&, std::span<const Vector<3>>);
 

@@ -18,6 +18,11 @@ template <int Dimension>
 std::optional<double> capillary_limit(const std::vector<Vector<Dimension>>& positions,
                                       std::span<const SurfaceElement<Dimension>> surface, double density);
 
+/// sqrt(h / g) with the shortest edge h of the mesh: the time in which gravity takes a wave of that length through
+/// about half of a period; none without gravity.
+template <int Dimension>
+std::optional<double> gravity_limit(const SimplexMesh<Dimension>& mesh, const Vector<Dimension>& gravity);
+
 /// The time in which the ends of an edge come closer by its length, at least, over all edges; none when nothing moves.
 template <int Dimension>
 std::optional<double> deformation_limit(const SimplexMesh<Dimension>& mesh,

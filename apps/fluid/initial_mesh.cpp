@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "dsc3d/generate/shapes.h"
 #include "dsc3d/generate/tetrahedralize.h"
@@ -64,51 +65,93 @@ InitialMesh drops(const Scene& scene, core::Observer& observer) {
     return mesh;
 }
 
-// Cubes of six tetrahedra each, around their diagonals (Kuhn): flat in every plane of the grid.
-InitialMesh layer(const Scene& scene) {
-    constexpr std::array<std::array<int, 3>, 6> orders = {
+// Cubes of six tetrahedra each, around their diagonals (Kuhn): flat in every plane of the grid, whose planes these are.
+InitialMesh grid(const std::array<std::vector<double>, 3>& planes, const std::function<int(const Point3&)>& label) {
+    constexpr std::array<std::array<std::size_t, 3>, 6> orders = {
         {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
-    const Point3 size = scene.domain.sizes();
-    const auto count = [&](double length) {
-        return std::max(1, static_cast<int>(std::lround(length / scene.edge_length)));
+    using Index = std::array<std::size_t, 3>;
+    const auto number = [&](const Index& at) {
+        return static_cast<std::uint32_t>((at[2] * planes[1].size() + at[1]) * planes[0].size() + at[0]);
     };
-    const int below = count(*scene.depth), above = count(size.z() - *scene.depth);
-    const std::array<int, 3> n = {count(size.x()), count(size.y()), below + above};
-    const auto number = [&](const std::array<int, 3>& at) {
-        return static_cast<std::uint32_t>((at[2] * (n[1] + 1) + at[1]) * (n[0] + 1) + at[0]);
-    };
-    InitialMesh mesh{.edge_length = scene.edge_length};
-    std::array<int, 3> at{};
-    for (at[2] = 0; at[2] <= n[2]; ++at[2])
-        for (at[1] = 0; at[1] <= n[1]; ++at[1])
-            for (at[0] = 0; at[0] <= n[0]; ++at[0]) {
-                const double z = at[2] <= below ? *scene.depth * at[2] / below
-                                                : *scene.depth + (size.z() - *scene.depth) * (at[2] - below) / above;
-                mesh.tets.vertices.push_back(scene.domain.min() +
-                                             Point3(size.x() * at[0] / n[0], size.y() * at[1] / n[1], z));
-            }
-    for (at[2] = 0; at[2] < n[2]; ++at[2])
-        for (at[1] = 0; at[1] < n[1]; ++at[1])
-            for (at[0] = 0; at[0] < n[0]; ++at[0])
-                for (std::size_t i = 0; i < 6; ++i) {
-                    std::array<int, 3> corner = at;
-                    auto& tet = mesh.tets.tets.emplace_back();
+    InitialMesh mesh;
+    for (const double z : planes[2])
+        for (const double y : planes[1])
+            for (const double x : planes[0]) mesh.tets.vertices.emplace_back(x, y, z);
+    Index at{};
+    for (at[2] = 0; at[2] + 1 < planes[2].size(); ++at[2])
+        for (at[1] = 0; at[1] + 1 < planes[1].size(); ++at[1])
+            for (at[0] = 0; at[0] + 1 < planes[0].size(); ++at[0])
+                for (std::size_t i = 0; i < orders.size(); ++i) {
+                    Index corner = at;
+                    std::array<std::uint32_t, 4> tet{};
                     tet[0] = number(corner);
                     for (std::size_t k = 0; k < 3; ++k) {
-                        ++corner[static_cast<std::size_t>(orders[i][k])];
+                        ++corner[orders[i][k]];
                         tet[k + 1] = number(corner);
                     }
                     if (i >= 3) std::swap(tet[2], tet[3]);  // odd orders are mirrored
-                    mesh.tets.labels.push_back(at[2] < below ? 1 : 0);
+                    const Point3 centre = (mesh.tets.vertices[tet[0]] + mesh.tets.vertices[tet[3]]) / 2;
+                    mesh.tets.tets.push_back(tet);
+                    mesh.tets.labels.push_back(label(centre));
                 }
     mesh.velocities.assign(mesh.tets.vertices.size(), Point3::Zero());
+    return mesh;
+}
+
+// From `low` to `high`, at distances of about `length`.
+void add_planes(std::vector<double>& planes, double low, double high, double length) {
+    const int count = std::max(1, static_cast<int>(std::lround((high - low) / length)));
+    for (int i = planes.empty() ? 0 : 1; i <= count; ++i)
+        planes.push_back(i == count ? high : low + (high - low) * i / count);
+}
+
+InitialMesh layer(const Scene& scene) {
+    const Eigen::AlignedBox3d& box = scene.domain;
+    const double surface = box.min().z() + *scene.depth;
+    std::array<std::vector<double>, 3> planes;
+    for (int k = 0; k < 2; ++k)
+        add_planes(planes[static_cast<std::size_t>(k)], box.min()[k], box.max()[k], scene.edge_length);
+    add_planes(planes[2], box.min().z(), surface, scene.edge_length);
+    add_planes(planes[2], surface, box.max().z(), scene.edge_length);
+    InitialMesh mesh = grid(planes, [&](const Point3& centre) { return centre.z() < surface ? 1 : 0; });
+    mesh.edge_length = scene.edge_length;
+    return mesh;
+}
+
+// A box of fluid on the floor, with the grid around it drawn to half a ball.
+InitialMesh half_ball(const Scene& scene) {
+    const Eigen::AlignedBox3d& box = scene.domain;
+    const double radius = *scene.sessile_radius;
+    const Point3 middle(box.center().x(), box.center().y(), box.min().z());
+    // On the sphere the sides of the box become longer by half of pi over two.
+    const double length = scene.edge_length / 1.3;
+    std::array<std::vector<double>, 3> planes;
+    for (int k = 0; k < 2; ++k) {
+        auto& of_axis = planes[static_cast<std::size_t>(k)];
+        add_planes(of_axis, box.min()[k], middle[k] - radius, scene.edge_length);
+        add_planes(of_axis, middle[k] - radius, middle[k] + radius, length);
+        add_planes(of_axis, middle[k] + radius, box.max()[k], scene.edge_length);
+    }
+    add_planes(planes[2], middle.z(), middle.z() + radius, length);
+    add_planes(planes[2], middle.z() + radius, box.max().z(), scene.edge_length);
+    const auto height = [&](const Point3& p) { return (p - middle).cwiseAbs().maxCoeff(); };
+    InitialMesh mesh = grid(planes, [&](const Point3& centre) { return height(centre) < radius ? 1 : 0; });
+    const double reach = std::min(box.sizes().head<2>().minCoeff() / 2, box.sizes().z());
+    for (Point3& p : mesh.tets.vertices) {
+        const double s = height(p);
+        if (s == 0 || s >= reach) continue;
+        const double weight = s <= radius ? s / radius : (reach - s) / (reach - radius);
+        p = middle + (1 - weight + weight * s / (p - middle).norm()) * (p - middle);
+    }
+    mesh.edge_length = scene.edge_length;
     return mesh;
 }
 
 }  // namespace
 
 InitialMesh initial_mesh(const Scene& scene, core::Observer& observer) {
-    return scene.depth ? layer(scene) : drops(scene, observer);
+    if (scene.depth) return layer(scene);
+    return scene.sessile_radius ? half_ball(scene) : drops(scene, observer);
 }
 
 }  // namespace dsc::fluid_app

@@ -13,7 +13,7 @@ namespace {
 
 /// Values that replace those of the scene.
 struct Overrides {
-    std::optional<double> density, tension, viscosity, edge_length, velocity, until;
+    std::optional<double> density, tension, viscosity, wetting, edge_length, velocity, until;
     std::optional<std::string> gravity;
 };
 
@@ -21,6 +21,7 @@ void override_scene(const Overrides& given, Scene& scene) {
     if (given.density) scene.density = *given.density;
     if (given.tension) scene.tension = *given.tension;
     if (given.viscosity) scene.viscosity = *given.viscosity;
+    if (given.wetting) scene.wetting = *given.wetting;
     if (given.edge_length) scene.edge_length = *given.edge_length;
     if (given.until) scene.until = *given.until;
     if (given.gravity) scene.gravity = apps::parsed_point<3>("--gravity", *given.gravity);
@@ -61,6 +62,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.number("--density", overrides.density, "of the fluid", {.above = 0});
     line.number("--tension", overrides.tension, "of the surface", {.at_least = 0});
     line.number("--viscosity", overrides.viscosity, "dynamic", {.at_least = 0});
+    line.number("--wetting", overrides.wetting, "alpha_1 - alpha_2 of the walls", {.at_least = -1, .at_most = 1});
     line.number("--velocity", overrides.velocity, "speed of the bodies that are not at rest", {.at_least = 0});
     line.text("--gravity", overrides.gravity, "acceleration x,y,z");
     line.heading("Run");

@@ -13,6 +13,8 @@ namespace dsc::fluid_app {
 
 namespace {
 
+constexpr double least_steps = 20;  // of a run whose steps have no other limit
+
 class EventList final : public dsc3d::Listener {
 public:
     void on_event(const dsc3d::Event& event) override { events.push_back(event); }
@@ -39,7 +41,7 @@ public:
     void take_step() {
         if (checkpoints_ && checkpoints_->is_due(last().step)) renew();
         double dt = std::min(run_.until - last().time, run_.dt.value_or(run_.until));
-        if (!run_.dt) dt = fluid_->longest_step(dt);
+        if (!run_.dt) dt = fluid_->longest_step(std::min(dt, run_.until / least_steps));
         TrackedReport report;
         for (int halvings = 0;; ++halvings, dt /= 2) {
             try {

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -35,7 +36,7 @@ Scene oblique() {
     Scene scene{.name = "oblique", .domain = {Point3(-8, -5, -2.5), Point3(8, 5, 2.5)}, .edge_length = 0.22};
     scene.balls = {{.centre = Point3(-1.6, -0.6, 0), .velocity = Point3(3, 0, 0)},
                    {.centre = Point3(1.6, 0.6, 0), .velocity = Point3(-3, 0, 0)}};
-    scene.until = 2;
+    scene.until = 4;
     return scene;
 }
 
@@ -56,12 +57,22 @@ Scene tank() {
     return scene;
 }
 
+// Figure 6.7.
+Scene sessile() {
+    Scene scene{.name = "sessile", .domain = {Point3(-2, -2, 0), Point3(2, 2, 2)}, .edge_length = 0.2};
+    scene.sessile_radius = 1;
+    scene.wetting = -0.3;
+    scene.viscosity = 0.2;
+    scene.until = 8;
+    return scene;
+}
+
 struct Named {
     const char* name;
     Scene (*make)();
 };
-constexpr Named scenes[] = {
-    {"droplet", droplet}, {"collide", collide}, {"oblique", oblique}, {"freefall", freefall}, {"tank", tank}};
+constexpr Named scenes[] = {{"droplet", droplet},   {"collide", collide}, {"oblique", oblique},
+                            {"freefall", freefall}, {"tank", tank},       {"sessile", sessile}};
 
 // Members of an object, each known by its path.
 class Reader {
@@ -174,18 +185,25 @@ Scene scene_from_json(const io::Json& json, const std::string& source) {
     double depth = 0;
     reader.number("depth", depth, positive, "a positive number");
     if (depth > 0) scene.depth = depth;
+    double radius = 0;
+    reader.number("sessile_radius", radius, positive, "a positive number");
+    if (radius > 0) scene.sessile_radius = radius;
     if (const io::Json* bodies = reader.list("bodies"))
         for (std::size_t i = 0; i < bodies->size(); ++i)
             scene.balls.push_back(ball_from_json((*bodies)[i], source, "bodies[" + std::to_string(i) + "]"));
     reader.require_known();
-    if (scene.balls.empty() && !scene.depth)
-        throw core::InputError(source, "bodies", "there is no fluid", "give a body, or the depth of a tank");
+    if (scene.balls.empty() && !scene.depth && !scene.sessile_radius)
+        throw core::InputError(source, "bodies", "there is no fluid",
+                               "give a body, the depth of a tank, or the radius of a sessile drop");
     return scene;
 }
 
 void require_consistent(const Scene& scene) {
-    if (scene.depth && !scene.balls.empty())
-        throw core::UsageError("a tank with drops above it is not there yet: give bodies or a depth");
+    if ((scene.balls.empty() ? 0 : 1) + (scene.depth ? 1 : 0) + (scene.sessile_radius ? 1 : 0) > 1)
+        throw core::UsageError("bodies, the depth of a tank and a sessile drop don't go together yet");
+    if (scene.sessile_radius &&
+        1.5 * *scene.sessile_radius > std::min(scene.domain.sizes().head<2>().minCoeff() / 2, scene.domain.sizes().z()))
+        throw core::UsageError("sessile_radius: the domain is not half as large again as the drop");
     if (scene.depth && *scene.depth >= scene.domain.sizes().z())
         throw core::UsageError("depth: the tank is not that high");
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {

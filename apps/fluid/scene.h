@@ -32,7 +32,8 @@ struct Scene {
     Eigen::AlignedBox3d domain = {Point3::Constant(-2), Point3::Constant(2)};
     double edge_length = 0.15;  ///< of the surface; > 0
     std::vector<Ball> balls;
-    std::optional<double> depth;  ///< of a layer on the floor of the domain, which is a tank then; > 0
+    std::optional<double> depth;           ///< of a layer on the floor of the domain, which is a tank then; > 0
+    std::optional<double> sessile_radius;  ///< of half a ball on the middle of the floor; > 0
     double density = 1;
     double tension = 1;
     double viscosity = 0;
