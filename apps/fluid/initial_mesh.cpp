@@ -89,8 +89,8 @@ InitialMesh grid(const std::array<std::vector<double>, 3>& planes, const std::fu
                         ++corner[orders[i][k]];
                         tet[k + 1] = number(corner);
                     }
+                    const Point3 centre = (mesh.tets.vertices[tet[0]] + mesh.tets.vertices[tet[3]]) / 2;  // of the cube
                     if (i >= 3) std::swap(tet[2], tet[3]);  // odd orders are mirrored
-                    const Point3 centre = (mesh.tets.vertices[tet[0]] + mesh.tets.vertices[tet[3]]) / 2;
                     mesh.tets.tets.push_back(tet);
                     mesh.tets.labels.push_back(label(centre));
                 }
