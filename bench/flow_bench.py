@@ -42,7 +42,7 @@ class Bench:
         """Runs `flow WORDS`; figures(folder, report) yields (what, figure, limit or None). Returns the report."""
         if not self.wants(name):
             return None
-        print(f"\n{name}: flow {shlex.join(map(str, words))}", flush=True)
+        print(f"\n{name}: {Path(self.program).name} {shlex.join(map(str, words))}", flush=True)
         with tempfile.TemporaryDirectory() as folder:
             error = self.fails([*words, "--quiet", "-o", folder])
             if error:

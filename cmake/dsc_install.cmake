@@ -13,7 +13,7 @@ install(EXPORT dsc_targets NAMESPACE dsc:: FILE dsc_targets.cmake DESTINATION "$
 if(programs)
   install(TARGETS ${programs} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endif()
-foreach(folder core geometry io surface motion dsc2d dsc3d geodesic apps)
+foreach(folder core geometry io surface motion dsc2d dsc3d geodesic fluid apps)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/dsc"
           FILES_MATCHING PATTERN "*.h" PATTERN "assets.h" EXCLUDE)
 endforeach()
