@@ -29,9 +29,10 @@ if(DSC_CHECKED)
   target_compile_definitions(dsc_compile_options INTERFACE DSC_CHECKED)
 endif()
 if(DSC_SANITIZE)
-  # Five checks of undefined behaviour stand before every access through a reference and double the time to compile.
-  # The address sanitizer sees a null or stray access when it happens, x86-64 does not ask for alignment, and there is
-  # no downcast that could come to an object of another type.
+  # Five checks of undefined behaviour stand before every access through a reference: without them a test compiles in
+  # two thirds of the time. What is given up: the address sanitizer sees a null or stray access when it happens, but
+  # not one that stays within the same allocation, nor an address that overflows and is never used. x86-64 does not
+  # ask for alignment, and no class is cast down unchecked (a test gets a metric back from a void pointer).
   target_compile_options(dsc_compile_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
