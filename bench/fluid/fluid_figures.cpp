@@ -17,6 +17,7 @@
 #include "dsc3d/generate/tetrahedralize.h"
 #include "fluid/equilibrium.h"
 #include "fluid/flow.h"
+#include "tests/fluid/samples.h"
 
 using namespace dsc;
 using namespace dsc::fluid;
@@ -56,38 +57,21 @@ geometry::SurfaceData root_three_sphere(int levels) {
     return surface;
 }
 
-SimplexMesh<3> ball(const geometry::SurfaceData& surface) {
-    const Eigen::AlignedBox3d box(Vector<3>::Constant(-2), Vector<3>::Constant(2));
+// Of the unit ball and the box around it, with tetrahedra of the size of the triangles.
+geometry::TetData tets_around(const geometry::SurfaceData& surface, double half_of_box, double growth) {
+    const Eigen::AlignedBox3d box(Vector<3>::Constant(-half_of_box), Vector<3>::Constant(half_of_box));
     core::Observer observer;
-    const geometry::TetData data = dsc3d::tetrahedralize(surface, box, {.growth = 0}, observer);
-    SimplexMesh<3> mesh;
-    std::map<std::uint32_t, std::uint32_t> number;
-    for (std::size_t t = 0; t < data.tets.size(); ++t) {
-        if (data.label(t) != 1) continue;
-        auto& cell = mesh.cells.emplace_back();
-        for (std::size_t i = 0; i < 4; ++i) {
-            const auto [place, is_new] = number.try_emplace(data.tets[t][i], static_cast<std::uint32_t>(number.size()));
-            if (is_new) mesh.positions.push_back(data.vertices[data.tets[t][i]]);
-            cell[i] = place->second;
-        }
-    }
-    mesh.phases.assign(mesh.cells.size(), 0);
-    return mesh;
+    return dsc3d::tetrahedralize(surface, box, {.growth = growth}, observer);
 }
 
-std::vector<SurfaceElement<3>> free_surface(const SimplexMesh<3>& mesh) {
-    std::vector<SurfaceElement<3>> result;
-    for (const auto& facet : facets(mesh))
-        if (!facet.opposite) result.push_back({facet.vertices, 1.0});
-    return result;
-}
+SimplexMesh<3> tetrahedral_ball(const geometry::SurfaceData& surface) { return fluid_of(tets_around(surface, 2, 0)); }
 
 double radius_of(const SimplexMesh<3>& mesh) {
     return std::cbrt(3 * Elements<3>(mesh).total_volume() / (4 * std::numbers::pi));
 }
 
 SimplexMesh<3> drop_at_rest(int levels) {
-    SimplexMesh<3> mesh = ball(root_three_sphere(levels));
+    SimplexMesh<3> mesh = tetrahedral_ball(root_three_sphere(levels));
     mesh.positions = equilibrium<3>(mesh.positions, free_surface(mesh));
     return mesh;
 }
@@ -105,7 +89,7 @@ Flow<3> water(double viscosity = 0, double compensation = 0, double capillary_sh
 void static_drop(bool is_at_rest, int steps) {
     fmt::print("static drop of 1620 faces, {}, {} steps at half of the capillary limit\n",
                is_at_rest ? "of least area" : "on the sphere", steps);
-    SimplexMesh<3> mesh = is_at_rest ? drop_at_rest(4) : ball(root_three_sphere(4));
+    SimplexMesh<3> mesh = is_at_rest ? drop_at_rest(4) : tetrahedral_ball(root_three_sphere(4));
     const double radius = radius_of(mesh);
     const auto start = mesh.positions;
     const auto surface = free_surface(mesh);
@@ -219,6 +203,108 @@ void periods() {
     }
 }
 
+// The n-th Fourier coefficient of the radius of the outline.
+double mode(const SimplexMesh<2>& mesh, const std::vector<SurfaceElement<2>>& surface, int n) {
+    double sum = 0;
+    for (const auto& element : surface) {
+        const Vector<2> a = mesh.positions[element.vertices[0]], b = mesh.positions[element.vertices[1]];
+        const Vector<2> middle = 0.5 * (a + b);
+        const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+        sum += angle * middle.norm() * std::cos(n * std::atan2(middle.y(), middle.x()));
+    }
+    return sum / std::numbers::pi;
+}
+
+// Of a disc with 6 edges for each ring.
+Oscillation oscillate_in_plane(int rings, int n, double viscosity) {
+    FlowParameters<2> parameters{.tensions = {.free_surface = {1}}};
+    parameters.fluid.phases[0].viscosity = viscosity;
+    parameters.compensation = 0;
+    Flow<2> flow(parameters);
+    SimplexMesh<2> mesh = disc(rings);
+    const auto surface = free_surface(mesh);
+    mesh.positions = equilibrium<2>(mesh.positions, surface);
+    const double radius = std::sqrt(Elements<2>(mesh).total_volume() / std::numbers::pi);
+    for (Vector<2>& p : mesh.positions) {
+        const std::complex<double> power = std::pow(std::complex<double>(p.x(), p.y()) / radius, n - 1);
+        p += 0.05 * radius * Vector<2>(power.real(), -power.imag());
+    }
+    FlowState<2> state = flow.at_rest(std::move(mesh));
+    const double frequency = std::sqrt(n * (n * n - 1) / std::pow(radius, 3)), dt = flow.longest_step(state, {});
+    std::vector<double> times, values;
+    for (double time = 0; time < 3 * 2 * std::numbers::pi / frequency; time += dt) {
+        times.push_back(time);
+        values.push_back(mode(state.mesh, surface, n));
+        flow.step(state, {}, dt);
+    }
+    const Oscillation found = fitted(times, values, {frequency, 0.01 * frequency});
+    return {frequency / found.frequency - 1, found.decay * radius * radius};
+}
+
+void plane() {
+    fmt::print("in the plane, 120 edges, 3 periods, tau = 0\n");
+    for (const int n : {2, 3, 4}) {
+        const double fine = std::abs(oscillate_in_plane(20, n, 0).frequency);
+        const double coarse = std::abs(oscillate_in_plane(10, n, 0).frequency);
+        row(fmt::format("error of the period, n = {}", n), fine, n == 2 ? 0.02 : 0.03);
+        row("1 / reduction for twice as many edges", fine / coarse, 1.0 / 3);
+        constexpr double viscosity = 0.02;
+        row("error of the decay against Lamb",
+            std::abs(oscillate_in_plane(20, n, viscosity).decay / (2 * n * (n - 1) * viscosity) - 1), 0.15);
+    }
+}
+
+// A ball of one fluid in another one, in a box of three times its size.
+void two_phases() {
+    constexpr double outer_density = 0.5;
+    constexpr int n = 2;
+    fmt::print("ball of 540 faces in a fluid of half of its density, n = 2, box of half width 3\n");
+    const geometry::TetData data = tets_around(root_three_sphere(3), 3, 0.3);
+    SimplexMesh<3> mesh = fluid_of(data, true);
+    for (std::size_t j = 0; j < mesh.cells.size(); ++j) mesh.phases[j] = data.label(j) == 1 ? 0 : 1;
+    FlowParameters<3> parameters{.tensions = {.free_surface = {0, 0}, .between_phases = 1}};
+    parameters.fluid.phases = {{.density = 1}, {.density = outer_density}};
+    parameters.compensation = 0;
+    Flow<3> flow(parameters);
+    std::vector<SurfaceElement<3>> surface;
+    for (const auto& facet : facets(mesh)) {
+        if (!facet.opposite || mesh.phases[facet.cell] == mesh.phases[*facet.opposite]) continue;
+        auto element = SurfaceElement<3>{facet.vertices, 1.0};
+        if (mesh.phases[facet.cell] == 1) std::swap(element.vertices[0], element.vertices[1]);  // outwards
+        surface.push_back(element);
+    }
+    mesh.positions = equilibrium<3>(mesh.positions, surface);
+    double volume = 0;
+    const Elements<3> elements(mesh);
+    for (std::size_t j = 0; j < mesh.cells.size(); ++j) volume += mesh.phases[j] == 0 ? elements.volumes[j] : 0;
+    const double radius = std::cbrt(3 * volume / (4 * std::numbers::pi));
+    std::vector<WallContact<3>> contacts;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+        for (int k = 0; k < 3; ++k)
+            if (std::abs(mesh.positions[v][k]) == 3)
+                contacts.push_back({v, std::copysign(1.0, mesh.positions[v][k]) * Vector<3>::Unit(k), 0,
+                                    2 * k + (mesh.positions[v][k] > 0 ? 1 : 0)});
+    for (Vector<3>& p : mesh.positions) {
+        const double share = std::pow(std::min(1.0, radius / p.norm()), 4);  // fading outside
+        p += share * 0.05 * Vector<3>(-p.x() / 2, -p.y() / 2, p.z());
+    }
+    for (const auto& contact : contacts)  // back on their walls
+        for (int k = 0; k < 3; ++k)
+            if (contact.normal[k] != 0) mesh.positions[contact.vertex][k] = 3 * contact.normal[k];
+    FlowState<3> state = flow.at_rest(std::move(mesh));
+    const double frequency =
+        std::sqrt(n * (n - 1) * (n + 1) * (n + 2) / (std::pow(radius, 3) * ((n + 1) * 1.0 + n * outer_density)));
+    const double dt = flow.longest_step(state, contacts);
+    std::vector<double> times, values;
+    for (double time = 0; time < 3 * 2 * std::numbers::pi / frequency; time += dt) {
+        times.push_back(time);
+        values.push_back(mode(state.mesh, surface, n));
+        flow.step(state, contacts, dt);
+    }
+    const Oscillation found = fitted(times, values, {frequency, 0.01 * frequency});
+    row("error of the period", std::abs(frequency / found.frequency - 1), 0.03);
+}
+
 void decay() {
     for (const int n : {2, 3}) {
         constexpr double viscosity = 0.02;
@@ -254,6 +340,8 @@ int main(int argc, char** argv) {
         {"sphere", [] { static_drop(false, 10000); }},
         {"periods", periods},
         {"decay", decay},
+        {"plane", plane},
+        {"two-phases", two_phases},
         {"energy", energy},
         {"second-order", second_order}};
     for (const auto& [name, run] : rows) {

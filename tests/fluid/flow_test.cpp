@@ -185,6 +185,31 @@ TEST_CASE("the pressure in a rotating disc grows with the square of the distance
         CHECK((state.velocities[i] - rotation(i)).norm() < 0.01 * turn);
 }
 
+TEST_CASE("a piston that moves for long keeps the volume of the fluid", "[fluid]") {
+    FlowParameters<2> parameters = water<2>(0);
+    parameters.fluid.gravity = {0, -9.81};
+    Flow<2> flow(parameters);
+    FlowState<2> state = flow.at_rest(square(6, tests::seed(1)));
+    std::vector<WallContact<2>> contacts;
+    for (std::uint32_t v = 0; v < state.mesh.positions.size(); ++v) {
+        const Vector<2>& p = state.mesh.positions[v];
+        if (p.x() == 0) contacts.push_back({v, Vector<2>(-1, 0), -0.2, 0});
+        if (p.x() == 1) contacts.push_back({v, Vector<2>(1, 0), 0, 1});
+        if (p.y() == 0) contacts.push_back({v, Vector<2>(0, -1), 0, 2});
+    }
+    double time = 0;
+    while (time < 1) {
+        const double dt = std::min(flow.longest_step(state, contacts), 1 - time);
+        flow.step(state, contacts, dt);
+        time += dt;
+        CHECK(Elements<2>(state.mesh).total_volume() == Approx(1).epsilon(1e-3));
+    }
+    for (const auto& contact : contacts) {
+        if (contact.wall == 0) CHECK(state.mesh.positions[contact.vertex].x() == Approx(0.2).epsilon(1e-9));
+        if (contact.wall == 2) CHECK(state.mesh.positions[contact.vertex].y() == Approx(0).margin(1e-12));
+    }
+}
+
 TEST_CASE("second order tension is stable far beyond the capillary limit", "[fluid]") {
     FlowParameters<2> parameters = water<2>();
     parameters.fluid.has_second_order_tension = true;
