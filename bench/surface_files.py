@@ -51,6 +51,30 @@ def read_tets(path):
     return []
 
 
+def read_points(path):
+    """The vertices of a MEDIT file."""
+    lines = iter(path.read_text().splitlines())
+    for line in lines:
+        if line.strip() == "Vertices":
+            return [tuple(map(float, next(lines).split()[:3])) for _ in range(int(next(lines)))]
+    return []
+
+
+def volume_within(points, tets):
+    """Enclosed by the faces that only one tetrahedron has."""
+    sides = {}
+    for (a, b, c, d), _ in tets:
+        for side in ((b, c, d), (a, d, c), (a, b, d), (a, c, b)):
+            sides.setdefault(tuple(sorted(side)), []).append(side)
+    total = 0
+    for [side, *others] in sides.values():
+        if not others:
+            p, q, r = (points[v - 1] for v in side)
+            total += (p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0])
+                      + p[2] * (q[0] * r[1] - q[1] * r[0])) / 6
+    return total
+
+
 def share_at_interface(tets):
     """Of tetrahedra with a vertex in an interface."""
     labels = {}

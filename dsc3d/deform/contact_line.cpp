@@ -3,8 +3,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "core/sort_unique.h"
@@ -34,40 +37,135 @@ bool leads_inside(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& way) {
     return inwards > 0;
 }
 
+/// Of a vertex and the interface around it, weighted by area.
+struct RingMean {
+    Point3 place = Point3::Zero();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+};
+
+RingMean mean_of(RatedMesh& mesh, VertexId v, InterfaceRing& ring) {
+    const surface::OneRing sheets = ring.gather(mesh, v);
+    RingMean mean;
+    double area = 0;
+    for (const surface::RingTriangle& triangle : sheets.triangles) {
+        const Eigen::Vector3d scaled = (triangle.a - sheets.centre).cross(triangle.b - sheets.centre);
+        mean.place += scaled.norm() * (sheets.centre + triangle.a + triangle.b) / 3;
+        mean.normal += scaled;
+        area += scaled.norm();
+    }
+    mean.place /= area;
+    mean.normal.normalize();
+    return mean;
+}
+
+// Joined to v by an edge of the interface, inside the domain.
+std::vector<VertexId> neighbours_inside(RatedMesh& mesh, VertexId v) {
+    const Complex& complex = mesh.complex();
+    std::vector<VertexId> found;
+    for (const TetId t : mesh.walker().star(v))
+        for (const EdgeId e : complex.edges(t)) {
+            const auto [a, b] = complex.vertices(e);
+            const VertexId other = a == v ? b : a;
+            if ((a == v || b == v) && complex.is_interface(e) && !complex.is_boundary(other)) found.push_back(other);
+        }
+    core::sort_unique(found);
+    return found;
+}
+
+/// How the sheet goes on behind the contact line at v: the way from there into the sheet, and the normal curvature in
+/// this direction in the rows of vertices behind it, positive where the sheet turns away from its normal.
+struct SheetBehind {
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();
+    double curvature = 0;
+};
+
+SheetBehind sheet_behind(RatedMesh& mesh, VertexId v, InterfaceRing& ring) {
+    SheetBehind sheet;
+    const std::vector<VertexId> first = neighbours_inside(mesh, v);
+    if (first.empty()) return sheet;
+    for (const VertexId u : first)
+        sheet.way += (mesh.position(u) - mesh.position(v)) / static_cast<double>(first.size());
+    const Eigen::Vector3d along = sheet.way.normalized();
+    double weight = 0;
+    for (const VertexId u : first) {
+        const RingMean here = mean_of(mesh, u, ring);
+        for (const VertexId w : neighbours_inside(mesh, u)) {
+            const RingMean there = mean_of(mesh, w, ring);
+            const Eigen::Vector3d step = there.place - here.place;
+            const double aligned = along.dot(step);
+            if (aligned < 0.7 * step.norm()) continue;
+            sheet.curvature += (there.normal - here.normal).dot(step) / step.squaredNorm() * aligned;
+            weight += aligned;
+        }
+    }
+    if (weight > 0) sheet.curvature /= weight;
+    return sheet;
+}
+
+/// Of sheets near a vertex of the line, within its wall.
+struct Quadric {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d motion = Eigen::Vector3d::Zero();   ///< along the normals, as asked for
+    Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< their sum
+    double area = 0;
+
+    Eigen::Vector3d least_slip(const Eigen::Vector3d& wanted, const ContactLineParameters& parameters) const {
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
+        const double least = std::max(area * std::pow(std::sin(parameters.least_angle * std::numbers::pi / 180), 2),
+                                      parameters.least_ratio * solver.eigenvalues()[2]);
+        Eigen::Vector3d slip = Eigen::Vector3d::Zero();
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            if (!(solver.eigenvalues()[i] > least)) continue;
+            const Eigen::Vector3d direction = solver.eigenvectors().col(i);
+            slip += direction.dot(wanted) / solver.eigenvalues()[i] * direction;
+        }
+        return slip;
+    }
+};
+
+// `vertices`: whose sheets count.
+Quadric quadric_at(RatedMesh& mesh, VertexId v, std::span<const VertexId> vertices, const Eigen::Vector3d& off,
+                   InterfaceRing& ring) {
+    Quadric quadric;
+    for (const VertexId u : vertices) {
+        const surface::OneRing sheets = ring.gather(mesh, u);
+        for (const surface::RingTriangle& triangle : sheets.triangles) {
+            const Eigen::Vector3d scaled = (triangle.a - sheets.centre).cross(triangle.b - sheets.centre);
+            const double area = scaled.norm();
+            if (area == 0) continue;
+            const Eigen::Vector3d normal = scaled / area;
+            const Eigen::Vector3d within = mesh.surface().allowed_on_boundary(v, normal);
+            quadric.matrix += area * within * within.transpose();
+            quadric.motion += area * normal.dot(off) * within;
+            quadric.normals += area * within;
+            quadric.area += area;
+        }
+    }
+    return quadric;
+}
+
 }  // namespace
 
 Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& off, InterfaceRing& ring,
                                   const ContactLineParameters& parameters) {
     if (off.isZero(0)) return Eigen::Vector3d::Zero();
-    Eigen::Matrix3d quadric = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    Eigen::Vector3d outwards = Eigen::Vector3d::Zero();
-    double area = 0;
-    for (const VertexId u : along_line(mesh, v)) {
-        const surface::OneRing sheets = ring.gather(mesh, u);
-        for (const surface::RingTriangle& triangle : sheets.triangles) {
-            const Eigen::Vector3d scaled = (triangle.a - sheets.centre).cross(triangle.b - sheets.centre);
-            const double a = scaled.norm();
-            if (a == 0) continue;
-            const Eigen::Vector3d normal = scaled / a;
-            const Eigen::Vector3d within = mesh.surface().allowed_on_boundary(v, normal);
-            quadric += a * within * within.transpose();
-            right += a * normal.dot(off) * within;
-            outwards += a * within;
-            area += a;
-        }
+    const Quadric quadric = quadric_at(mesh, v, along_line(mesh, v), off, ring);
+    Eigen::Vector3d slip = quadric.least_slip(quadric.motion, parameters);
+    const SheetBehind sheet = sheet_behind(mesh, v, ring);
+    const double length = sheet.way.norm();
+    if (length > 0) {
+        // What comes out of the wall goes on as a parabola does whose axis is the normal.
+        const double exposed = (off - slip).dot(sheet.way) / length;
+        const double bend =
+            std::clamp(sheet.curvature * (length + exposed), -parameters.largest_bend, parameters.largest_bend);
+        slip = quadric.least_slip(quadric.motion - 0.5 * bend * exposed * quadric.normals, parameters);
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(quadric);
-    const double steepest = solver.eigenvalues()[2];
-    const double least = area * std::pow(std::sin(parameters.least_angle * std::numbers::pi / 180), 2);
-    Eigen::Vector3d slip = Eigen::Vector3d::Zero();
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const double value = solver.eigenvalues()[i];
-        if (!(value > least) || value < parameters.least_ratio * steepest) continue;
-        const Eigen::Vector3d direction = solver.eigenvectors().col(i);
-        slip += direction.dot(right) / value * direction;
-    }
-    return slip.dot(outwards) > 0 && leads_inside(mesh, v, off) ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : slip;
+    const Quadric own = quadric_at(mesh, v, std::array{v}, off, ring);
+    if (slip.dot(own.normals) <= 0 || !leads_inside(mesh, v, off)) return slip;
+    // Flared as the last row of triangles may be by an accident of contact, the rows behind it decide.
+    const Quadric behind = quadric_at(mesh, v, neighbours_inside(mesh, v), off, ring);
+    slip = behind.least_slip(behind.motion, parameters);
+    return slip.dot(behind.normals) > 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : slip;
 }
 
 }  // namespace dsc::dsc3d

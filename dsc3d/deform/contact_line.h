@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where an interface that ends on a wall goes when its motion leads off the wall or into it. The sheets are taken to go
-// on beyond the wall as planes: these move as asked for, and the contact line is where they meet the wall then. So what
-// is pressed against a wall and pulled off again spreads and recedes as its shape wants; a sheet that stands upright on
-// the wall stays where it is, and so does one that would spread, over the side of the lower label, by being pulled off:
-// what hangs on a wall is drawn out, not widened.
-// Source: the quadric of face offsetting (Jiao, "Face offsetting", 2007; thesis 4.4.1.3) restricted to the wall: with
-// the normals N and areas A of the sheets at the vertex and w the motion off the wall, the slip s within the wall
-// minimizes sum A (N . s - N . w)^2. Guarantee: zero where w is; directions that no sheet determines get nothing. Cost:
-// linear in the star.
+// on beyond the wall, with the curvature that they have in front of it: these move as asked for, and the contact line
+// is where they meet the wall then. So what is pressed against a wall and pulled off again spreads and recedes as its
+// shape wants; a sheet that stands upright on the wall stays where it is, and so does one that would spread, over the
+// side of the lower label, by being pulled off: what hangs on a wall is drawn out, not widened. Source: the quadric of
+// face offsetting (Jiao, "Face offsetting", 2007; thesis 4.4.1.3) restricted to the wall: with the normals N and areas
+// A of the sheets at the vertex and w the motion off the wall, the slip s within the wall minimizes sum A (N . s - N .
+// w)^2; the curvature adds its parabola to N . w. Guarantee: zero where w is; exact for planes; directions that no
+// sheet determines get nothing. Cost: linear in the stars of two rings.
 #pragma once
 
 #include "dsc3d/deform/interface_ring.h"
@@ -20,6 +20,8 @@ struct ContactLineParameters {
     /// Of the square of the sine, relative to that of the steepest sheet: below, a second direction of motion is
     /// noise of the normals of one sheet; (0, 1).
     double least_ratio = 0.05;
+    /// Of the sheet over the row of triangles at the line, by its curvature, at most [radian]; >= 0.
+    double largest_bend = 0.5;
 };
 
 /// The slip of an interface vertex on the boundary, along it, that goes with the part `off` of its motion that leads

@@ -15,7 +15,7 @@ namespace dsc::dsc3d {
 class Foot {
 public:
     /// Whether the patch of its region's boundary faces that has f is a foot. Then tets() are the region's tetrahedra
-    /// at its vertices. Precondition: f is a boundary face.
+    /// at its vertices. Precondition: f is a boundary face with a vertex on the interface.
     bool find(PassContext& context, FaceId f);
     std::span<const TetId> tets() const { return tets_; }
 
