@@ -110,7 +110,8 @@ bool orient_doubtful(const Cloud& cloud, std::span<const double> winding, std::v
     for (std::size_t i = 0; i < n; ++i) {
         double sum = winding[i];
         for (const std::uint32_t j : cloud.neighbours_of(i)) sum += winding[j];
-        if (std::abs(winding[i] - 0.5) < sure && std::abs(sum / (1 + cloud.neighbour_count) - 0.5) < sure) continue;
+        // The mean of a neighbourhood, because noise puts single points inside and outside.
+        if (std::abs(sum / (1 + cloud.neighbour_count) - 0.5) < sure) continue;
         is_settled[i] = 0;
         ++doubtful;
     }
