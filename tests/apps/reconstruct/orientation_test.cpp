@@ -15,7 +15,7 @@ namespace {
 double share_turned(const tests::OrientedCloud& points) {
     const Cloud cloud = prepared_cloud(points.points, {}, "points");
     core::Observer observer;
-    const Orientation found = oriented_normals(cloud, cloud_axes(cloud, 0, {}), {}, observer);
+    const Orientation found = oriented_normals(cloud, cloud_axes(cloud, 0, {}), 0, {}, observer);
     std::size_t turned = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i)
         turned += found.normals[i].dot(points.normals[cloud.original[i]]) < 0 ? 1 : 0;
