@@ -40,7 +40,7 @@ std::vector<std::uint32_t> different_points(std::span<const Point3> points) {
 
 // Of the points as a whole: 1, 2 or 3.
 int dimension(std::span<const Point3> points) {
-    constexpr double flat = 1e-10;  // extent that rounding makes of none, relative
+    constexpr double flat = 1e-7;  // extent that rounding makes of none, relative: the root of that of its square
     Point3 mean = Point3::Zero();
     for (const Point3& p : points) mean += p / static_cast<double>(points.size());
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();

@@ -40,7 +40,8 @@ std::vector<double> wanted_cells(const Cloud& cloud, const KdTree& tree, std::sp
             if (normals[i].dot(normals[other.index]) > -0.5) continue;
             const Vector3 way = cloud.points[other.index] - cloud.points[i];
             const double across = std::abs(way.dot(normals[i]));
-            // One right behind or in front of the other.
+            // One right behind or in front of the other, and not by noise.
+            if (across < 6 * noise) continue;
             if (way.norm() > 1.4 * across + 0.5 * spacing) continue;
             cell = std::min(cell, across / parameters.cells_across);
         }
@@ -79,7 +80,7 @@ std::vector<double> levels(const Cloud& cloud, const KdTree& tree, const Orienta
     std::vector<double> widths(cloud.size());
     for (std::size_t i = 0; i < cloud.size(); ++i) {
         moments[i] = orientation.areas[i] * orientation.normals[i];
-        widths[i] = std::max(cloud.spacing[i], 2 * noise);
+        widths[i] = std::max(cloud.spacing[i], 3 * noise);
     }
     const DipoleSum sum(tree, cloud.points, cloud.threads);
     const std::vector<double> winding = sum.winding_numbers(sum.targets(places), moments, widths);

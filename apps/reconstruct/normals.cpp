@@ -68,7 +68,7 @@ double median_variance(const std::vector<Plane>& planes, std::size_t neighbours)
 
 void NormalParameters::validate() const {
     if (!(agreement > 0 && agreement < 90)) throw core::UsageError("agreement: has to be in (0, 90)");
-    if (candidates < 4) throw core::UsageError("candidates: has to be at least 4");
+    if (plane_points < 4) throw core::UsageError("plane_points: has to be at least 4");
     if (!(noticeable_noise >= 0)) throw core::UsageError("noticeable_noise: has to be at least 0");
     if (rounds < 0) throw core::UsageError("rounds: has to be at least 0");
 }
@@ -85,9 +85,9 @@ double estimated_noise(const Cloud& cloud) {
 std::vector<Vector3> cloud_axes(const Cloud& cloud, double noise, const NormalParameters& parameters) {
     parameters.validate();
     const std::size_t n = cloud.size();
-    const std::size_t some = std::min<std::size_t>(parameters.candidates, cloud.neighbour_count);
+    const std::size_t few = std::min<std::size_t>(parameters.plane_points, cloud.neighbour_count);
     const bool is_noisy = noise > parameters.noticeable_noise * cloud.median_spacing;
-    const std::vector<Plane> planes = fitted_planes(cloud, is_noisy ? cloud.neighbour_count : some);
+    const std::vector<Plane> planes = fitted_planes(cloud, is_noisy ? cloud.neighbour_count : few);
 
     std::vector<Vector3> axes(n);
     core::parallel_for(n, {.threads = cloud.threads}, [&](std::size_t i) {
@@ -101,7 +101,7 @@ std::vector<Vector3> cloud_axes(const Cloud& cloud, double noise, const NormalPa
             axes[i] = plane.normal;
         };
         consider(i);
-        for (const std::uint32_t j : cloud.neighbours_of(i).first(some)) consider(j);
+        for (const std::uint32_t j : cloud.neighbours_of(i)) consider(j);
     });
 
     const double least_cosine = std::cos(surface::radians(parameters.agreement));

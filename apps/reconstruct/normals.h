@@ -12,7 +12,7 @@ namespace dsc::reconstruct {
 
 struct NormalParameters {
     double agreement = 30;  ///< planes of neighbours bent by more belong to different sides [degree]; (0, 90)
-    int candidates = 16;    ///< neighbours whose planes a point may take, and that make a plane; >= 4
+    int plane_points = 9;   ///< neighbours that make a plane where there is no noise; >= 4
     double noticeable_noise = 0.05;  ///< from here on planes are made of all neighbours [spacing]; >= 0
     int rounds = 3;         ///< of fitting again; >= 0
 

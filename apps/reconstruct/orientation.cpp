@@ -32,9 +32,9 @@ std::vector<std::uint32_t> poisson_sample(const Cloud& cloud, const KdTree& tree
     return kept;
 }
 
-Thinned thinned(const Cloud& cloud, std::size_t most_points) {
+Thinned thinned(const Cloud& cloud, std::size_t most_points, double least_distance) {
     const KdTree tree(cloud.points);
-    double distance = 0.5 * cloud.median_spacing;
+    double distance = std::max(0.5 * cloud.median_spacing, least_distance);
     for (;;) {
         std::vector<std::uint32_t> kept = poisson_sample(cloud, tree, distance);
         if (kept.size() <= most_points) return {std::move(kept), distance};
@@ -110,7 +110,8 @@ bool orient_doubtful(const Cloud& cloud, std::span<const double> winding, std::v
     for (std::size_t i = 0; i < n; ++i) {
         double sum = winding[i];
         for (const std::uint32_t j : cloud.neighbours_of(i)) sum += winding[j];
-        if (std::abs(winding[i] - 0.5) < sure && std::abs(sum / (1 + cloud.neighbour_count) - 0.5) < sure) continue;
+        // The mean of a neighbourhood, because noise puts single points inside and outside.
+        if (std::abs(sum / (1 + cloud.neighbour_count) - 0.5) < sure) continue;
         is_settled[i] = 0;
         ++doubtful;
     }
@@ -161,6 +162,7 @@ void require(bool condition, const char* field, const char* range) {
 
 void OrientationParameters::validate() const {
     require(most_points >= 4, "most_points", "at least 4");
+    require(noise_distance >= 0, "noise_distance", "at least 0");
     require(rounds >= 1, "rounds", "at least 1");
     require(passes >= 1, "passes", "at least 1");
     require(repairs >= 0, "repairs", "at least 0");
@@ -168,9 +170,9 @@ void OrientationParameters::validate() const {
     require(last_width > 0, "last_width", "positive");
 }
 
-Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes,
+Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes, double noise,
                              const OrientationParameters& parameters, core::Observer& observer) {
-    const Thinned few = thinned(cloud, parameters.most_points);
+    const Thinned few = thinned(cloud, parameters.most_points, parameters.noise_distance * noise);
     std::vector<Point3> places;
     for (const std::uint32_t i : few.index) places.push_back(cloud.points[i]);
     const std::vector<Vector3> moments = consistent_moments(places, few.spacing, cloud.threads, parameters, observer);
@@ -193,7 +195,7 @@ Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes,
     const DipoleSum::Targets targets = sum.targets(cloud.points);
     std::vector<Vector3> all(n);
     std::vector<double> widths(n);
-    for (std::size_t i = 0; i < n; ++i) widths[i] = 1.5 * cloud.spacing[i];
+    for (std::size_t i = 0; i < n; ++i) widths[i] = std::max(1.5 * cloud.spacing[i], 3 * noise);
     for (int pass = 0; pass < parameters.passes; ++pass) {
         observer.check_cancelled();
         for (std::size_t i = 0; i < n; ++i) all[i] = result.areas[i] * result.normals[i];

@@ -15,6 +15,7 @@ namespace dsc::reconstruct {
 
 struct OrientationParameters {
     std::size_t most_points = 15000;  ///< that are oriented from nothing; the others follow them; >= 4
+    double noise_distance = 4;       ///< least distance of these, in standard deviations of the noise; >= 0
     int rounds = 40;                 ///< of descent; >= 1
     int passes = 6;                  ///< of signs on the whole cloud; >= 1
     int repairs = 3;                 ///< of places where signs are mixed; >= 0
@@ -30,7 +31,8 @@ struct Orientation {
     std::vector<double> areas;     ///< of the surface, one for each point, scaled so that the winding number inside is 1
 };
 
-Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes,
+/// `noise`: standard deviation of the points off the surface.
+Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes, double noise,
                              const OrientationParameters& parameters, core::Observer& observer);
 
 }  // namespace dsc::reconstruct

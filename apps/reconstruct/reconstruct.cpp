@@ -146,7 +146,7 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
     }
     const std::vector<Vector3> axes = cloud_axes(cloud, noise, parameters.normals);
     end_phase("cloud");
-    const Orientation orientation = oriented_normals(cloud, axes, parameters.orientation, observer);
+    const Orientation orientation = oriented_normals(cloud, axes, noise, parameters.orientation, observer);
     end_phase("orientation");
     Front front = labelled_front(cloud, orientation, noise,
                                  parameters.detail ? std::optional(*parameters.detail / cloud.scale) : std::nullopt,

@@ -54,3 +54,25 @@ TEST_CASE("a surface that reaches the boundary, or a function that is not finite
     CHECK_THROWS_AS(fit(mesh, [](const Point3& p) { return std::sqrt(p.x() - 0.5); }), core::UsageError);
     CHECK_THROWS_AS(fit(mesh, sphere, {.warp = 0.5}), core::UsageError);
 }
+
+TEST_CASE("values at the vertices that are linear between them give a plane exactly") {
+    Mesh mesh(lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, 0.1));
+    // A box whose faces are planes of the function near them; its edges are as the mesh rounds them.
+    const auto box = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).lpNorm<Eigen::Infinity>() - 0.27; };
+    std::vector<double> values;
+    for (std::uint32_t i = 0; i < mesh.complex().vertex_capacity(); ++i) values.push_back(box(mesh.position(VertexId(i))));
+    fit(mesh, values);
+    CHECK(validate(mesh).empty());
+    std::size_t on_faces = 0, all = 0;
+    for (std::uint32_t i = 0; i < mesh.complex().vertex_capacity(); ++i) {
+        if (mesh.complex().is_deleted(VertexId(i)) || !mesh.complex().is_interface(VertexId(i))) continue;
+        ++all;
+        on_faces += std::abs(box(mesh.position(VertexId(i)))) < 1e-12 ? 1 : 0;
+    }
+    CHECK(on_faces > 0.6 * static_cast<double>(all));
+}
+
+TEST_CASE("values have to be one for each vertex") {
+    Mesh mesh(lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, 0.5));
+    CHECK_THROWS_AS(fit(mesh, std::vector<double>(3, 1.0)), core::UsageError);
+}
