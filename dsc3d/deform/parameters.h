@@ -43,7 +43,7 @@ struct DeformParameters {
     /// ... and this near to the place where they met. >= 0.
     double gap_reach = 2;
     /// The last of a region's contact with a wall is let go where it is no wider than this and contracts. > 0.
-    double foot_width = 3;
+    double foot_width = 2;
     /// What is left over and smaller than this, in cubed edge lengths, goes with it. >= 0.
     double crumb_volume = 0.3;
 

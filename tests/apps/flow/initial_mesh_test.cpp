@@ -100,3 +100,27 @@ TEST_CASE("labelled tetrahedra from a file are taken as they are; without labels
     halves.domain = initial.domain;
     CHECK_THROWS_AS(initial_mesh(halves, observer), core::UsageError);
 }
+
+TEST_CASE("a ball as the domain is filled to its sphere, whose wall is that sphere") {
+    core::Observer observer;
+    ShapeOptions options = {.shape = Shape::sphere, .radius = 0.2, .edge_length = 0.1};
+    options.sphere = SphericalDomain{Point3(0.5, 0.5, 0.4), 0.5};
+    const InitialMesh initial = initial_mesh(options, observer);
+    const dsc3d::Mesh mesh(initial.data);
+    CHECK(initial.domain.center().isApprox(options.sphere->centre));
+    CHECK(initial.domain.sizes().isApprox(Point3(1, 1, 1)));
+    double volume = 0;
+    for (const auto& label : dsc3d::label_statistics(mesh)) volume += label.volume;
+    CHECK(volume == Approx(std::numbers::pi / 6).epsilon(0.01));
+    const dsc3d::Walls walls = domain_walls(options);
+    REQUIRE(walls.size() == 1);
+    for (std::uint32_t i = 0; i < mesh.complex().vertex_capacity(); ++i) {
+        const dsc3d::VertexId v(i);
+        if (mesh.complex().is_boundary(v))
+            REQUIRE((walls[0]->nearest(mesh.position(v)) - mesh.position(v)).norm() < 1e-14);
+    }
+    options.sphere->radius = 0.29;
+    CHECK_THROWS_AS(initial_mesh(options, observer), core::UsageError);
+    options.sphere.reset();
+    CHECK(domain_walls(options).empty());
+}

@@ -54,6 +54,16 @@ TEST_CASE("options of shape, motion and time arrive as numbers") {
     CHECK(options.given["--angle"].string() == "-90");
 }
 
+TEST_CASE("a domain is a box or a ball") {
+    const Options around = *parsed({"sphere", "--domain", "sphere:1,2,-3,0.5"});
+    CHECK_FALSE(around.shape.domain);
+    CHECK(around.shape.sphere->centre == Point3(1, 2, -3));
+    CHECK(around.shape.sphere->radius == 0.5);
+    CHECK(parsed({"sphere", "--domain", "sphere:0.7"})->shape.sphere->centre == Point3(0.5, 0.5, 0.5));
+    for (const char* text : {"sphere:", "sphere:1,2", "sphere:1,2,3,-1", "sphere:0"})
+        check_refused({"sphere", "--domain", text}, "--domain");
+}
+
 TEST_CASE("a shape that is not known by name is a file; --velocity is what the motion makes of it") {
     const Options file = *parsed({"ball.off", "--motion", "offset", "--distance", "-0.1"});
     CHECK(file.shape.shape == Shape::file);
