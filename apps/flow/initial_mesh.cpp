@@ -70,9 +70,10 @@ bool is_tet_file(const std::string& path) {
 }
 
 InitialMesh from_tets(const ShapeOptions& options) {
+    if (options.growth) throw core::UsageError("--growth: a tetrahedral mesh from a file has its tetrahedra");
     if (options.domain || options.sphere)
         throw core::UsageError("--domain: a tetrahedral mesh from a file is its own domain");
-    InitialMesh result{.data = io::read_tet_mesh(options.path).data};
+    InitialMesh result{.data = io::read_tet_mesh(options.path).data, .may_be_too_fine = true};
     const dsc3d::Interface interface(dsc3d::Mesh(result.data, options.path));
     if (interface.faces.empty())
         throw core::InputError(options.path, "", "all tetrahedra have the same label, so there is nothing to move",
@@ -110,7 +111,10 @@ InitialMesh around(const Surface& surface, const SurfaceData& triangles, const S
     InitialMesh result;
     result.domain = options.domain.value_or(default_domain(bounds(triangles)));
     result.edge_length = mean_edge_length(triangles);
-    result.data = dsc3d::tetrahedralize(surface, result.domain, {}, observer);
+    dsc3d::TetrahedralizeParameters parameters;
+    if (options.growth) parameters.growth = *options.growth;
+    result.data = dsc3d::tetrahedralize(surface, result.domain, parameters, observer);
+    result.may_be_too_fine = options.growth.has_value();
     return result;
 }
 

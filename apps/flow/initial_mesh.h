@@ -2,7 +2,7 @@
 // The mesh that a flow begins with: of a shape by name, around a surface from a file, or from a file of labelled
 // tetrahedra. Guarantee: label 0 is outside; the triangles of a surface are faces of the mesh, as given or remeshed;
 // dihedral angles are at least 15 degrees where the surface and the room left allow it (not for tetrahedra from a file,
-// which stay as they are). Cost: that of dsc3d/generate/tetrahedralize.h.
+// which are as in the file). Cost: that of dsc3d/generate/tetrahedralize.h.
 #pragma once
 
 #include "apps/flow/options.h"
@@ -15,8 +15,9 @@ namespace dsc::flow {
 
 struct InitialMesh {
     geometry::TetData data;
-    Eigen::AlignedBox3d domain;  ///< or the box around it
-    double edge_length = 0;      ///< mean of the interface
+    Eigen::AlignedBox3d domain;    ///< or the box around it
+    double edge_length = 0;        ///< mean of the interface
+    bool may_be_too_fine = false;  ///< off the interface: it was not made for a flow
 };
 
 /// Throws core::InputError, core::UsageError and core::RunError.

@@ -11,11 +11,13 @@
 #include "apps/flow/flow.h"
 #include "apps/flow/initial_mesh.h"
 #include "apps/flow/output.h"
+#include "apps/flow/passes.h"
 #include "apps/flow/planar/program.h"
 #include "apps/flow/resume.h"
 #include "apps/flow/sizing.h"
 #include "apps/flow/targets.h"
 #include "core/errors.h"
+#include "dsc3d/deform/deformer.h"
 #include "dsc3d/interface.h"
 #include "io/surface_mesh.h"
 #include "io/tet_mesh.h"
@@ -34,9 +36,11 @@ void write_results(const Options& options, const dsc3d::Mesh& mesh, const FlowRe
 }
 
 dsc3d::DeformParameters deformation(const Options& options, double edge_length) {
-    return {.edge_length = edge_length,
-            .seed = static_cast<std::uint64_t>(options.common.seed),
-            .topology = options.topology};
+    dsc3d::DeformParameters parameters{.edge_length = edge_length,
+                                       .seed = static_cast<std::uint64_t>(options.common.seed),
+                                       .topology = options.topology};
+    switch_off(options.without, parameters);
+    return parameters;
 }
 
 Targets motion_of(const Options& options, const FlowResult& result) {
@@ -68,6 +72,10 @@ int start(const Options& options) {
         .domain = initial.domain, .edge_length = initial.edge_length, .time = time_steps(options.time, options.motion)};
     const Targets targets = motion_of(options, result);
     dsc3d::Mesh mesh(initial.data);
+    if (initial.may_be_too_fine) {
+        dsc3d::Deformer(mesh, deformation(options, result.edge_length)).coarsen_everywhere();
+        mesh = dsc3d::Mesh(mesh.data());
+    }
     std::optional<Checkpoints> checkpoints;
     if (options.checkpoint_interval > 0) {
         checkpoints.emplace(checkpoint_path(options.folder), options.given, options.checkpoint_interval);

@@ -8,6 +8,7 @@
 
 #include "apps/common/number_list.h"
 #include "apps/flow/names.h"
+#include "apps/flow/passes.h"
 #include "core/errors.h"
 #include "io/number.h"
 
@@ -169,6 +170,11 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.number("--feature-angle", shape.feature_angle,
                 "edges bent by more than this stay sharp when a surface is remeshed, in degrees (default 40)",
                 {.above = 0, .at_most = 180});
+    line.number(
+        "--growth", shape.growth,
+        "of the edges of the tetrahedra around the surface, per distance from it; less than 0.6 is coarsened to "
+        "that at the start (default 1)",
+        {.at_least = 0, .at_most = 2});
     line.text("--domain", texts.domain,
               "x0,y0,z0,x1,y1,z1 (default: the unit box, or twice the size of what has no room there); in space also "
               "sphere:x,y,z,radius, or sphere:radius around 0.5,0.5,0.5");
@@ -201,6 +207,10 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.text(
         "--sizing", options.sizing,
         "edge lengths: uniform, curvature, thickness, or an expression in x, y, z, t: lengths up to --edge-length");
+    std::string pass_list;
+    for (const std::string& name : pass_names()) pass_list += (pass_list.empty() ? "" : ", ") + name;
+    std::optional<std::string> without;
+    line.text("--without", without, "passes to be switched off, separated by commas: " + pass_list);
     line.heading("Output");
     line.integer("--snapshots", options.snapshots, "of the interface in series.pvd and index.html, evenly spaced",
                  {.at_least = 0, .at_most = 10000});
@@ -219,9 +229,15 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     options.folder = *options.common.output;
     if (options.dimension == 2) {
         if (options.sizing) throw core::UsageError("--sizing is there in three dimensions only");
+        if (without) throw core::UsageError("--without is there in three dimensions only");
         for (const char* option : {"--resume", "--checkpoint"})
             if (line.is_given(option))
                 throw core::UsageError(std::string(option) + ": is not there yet with --dimension 2");
+    }
+    if (without) {
+        options.without = *without;
+        dsc3d::DeformParameters trial;
+        switch_off(options.without, trial);
     }
     if (options.is_resumed) return options;
     if (!shape_text) throw core::UsageError("SHAPE is needed; see flow --help");

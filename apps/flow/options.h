@@ -36,6 +36,7 @@ struct ShapeOptions {
     std::optional<Point3> size;          ///< box, labelled-block; slotted-cube (all three the same)
     std::optional<double> slot_width, slot_depth;
     std::optional<double> edge_length;
+    std::optional<double> growth;         ///< of the tetrahedra to begin with, off the interface, per distance
     std::optional<double> feature_angle;  ///< of a surface from a file that is remeshed [degree]
     std::optional<Eigen::AlignedBox3d> domain;
     std::optional<SphericalDomain> sphere;  ///< instead of a box
@@ -86,6 +87,7 @@ struct Options {
     int dimension = 3;
     std::optional<planar::Options> planar;  ///< dimension 2: then shape and motion are those of its own
     std::optional<std::string> sizing;
+    std::string without;  ///< passes that are switched off, separated by commas
     int snapshots = 20;
     int checkpoint_interval = 25;  ///< steps; 0: no checkpoints
     bool is_resumed = false;

@@ -86,6 +86,7 @@ StepReport Deformer::step(std::span<const std::optional<Point3>> targets) { retu
 StepReport Deformer::step(std::span<const std::optional<Point3>> targets, const Path& path) {
     StepReport report;
     set_targets(targets);
+    release_resting_ones(path);
     contacts_.begin_step();
     PassContext context = this->context(report);
     const int wanted = moving_.empty() ? 0 : wanted_substeps(path);
@@ -134,6 +135,15 @@ void Deformer::wait_for_late_ones(PassContext& context, int substep, int wanted)
         if (is_moving_[v] != 0) moving_.push_back(v);
     region_.add(others);
     region_.settle(mesh_.complex());
+}
+
+// What has no way to go is not looked at, so that it stays as it is to the last bit, and what is around it too.
+void Deformer::release_resting_ones(const Path& path) {
+    std::erase_if(moving_, [&](VertexId v) {
+        if (length_of_way(v, path) != 0) return false;
+        release(v);
+        return true;
+    });
 }
 
 void Deformer::release(VertexId v) {
@@ -314,12 +324,34 @@ bool Deformer::is_held(PassContext& context, VertexId v) {
                        [&](TetId t) { return facing_sheets(context, t, parameters_.gap_width).has_value(); });
 }
 
-StepReport Deformer::improve_everywhere() {
-    StepReport report;
+void Deformer::take_whole_mesh() {
     std::vector<TetId> all;
     for (std::uint32_t i = 0; i < mesh_.complex().tet_capacity(); ++i)
         if (!mesh_.complex().is_deleted(TetId(i))) all.push_back(TetId(i));
     region_.assign(all);
+}
+
+StepReport Deformer::coarsen_everywhere() {
+    // Level by level, with room to recover in between: short edges beside long ones make what can't be collapsed.
+    constexpr double level = 1.3;
+    StepReport report;
+    PassContext context = this->context(report);
+    take_whole_mesh();
+    double longest = 0;
+    for (std::uint32_t i = 0; i < mesh_.complex().vertex_capacity(); ++i)
+        if (!mesh_.complex().is_deleted(VertexId(i))) longest = std::max(longest, wanted_length_.at(VertexId(i)));
+    DetailControl::update_lengths(context);
+    for (double length = parameters_.edge_length; length < longest; length *= level) {
+        detail_.collapse_short_edges(context, length);
+        upkeep_.smooth(context);
+    }
+    upkeep_.run(context);
+    return report;
+}
+
+StepReport Deformer::improve_everywhere() {
+    StepReport report;
+    take_whole_mesh();
     interface_control_.reconsider();
     PassContext context = this->context(report);
     maintain(context);

@@ -34,10 +34,11 @@ void DetailControl::split_long_edges(PassContext& context) {
     update_lengths(context);
 }
 
-void DetailControl::collapse_short_edges(PassContext& context) {
+void DetailControl::collapse_short_edges(PassContext& context, double longest) {
     const Complex& complex = context.complex();
     for (const EdgeId e : context.region.edges_off_interface(complex)) {
         if (complex.is_deleted(e) || context.relative_length(e) >= context.parameters.min_edge) continue;
+        if (context.length(e) > longest) continue;
         for (const VertexId kept : EdgeVertices(complex.vertices(e))) {
             if (!collapse_.propose(context.mesh, e, kept, context.parameters.collapse_quality, proposal_)) continue;
             if (!context.mesh.apply(proposal_)) continue;

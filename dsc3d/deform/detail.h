@@ -5,6 +5,8 @@
 // divided anew only where it is flat. Cost: linear in the region.
 #pragma once
 
+#include <limits>
+
 #include "dsc3d/deform/pass_context.h"
 #include "dsc3d/operations/edge_collapse.h"
 
@@ -13,7 +15,8 @@ namespace dsc::dsc3d {
 class DetailControl {
 public:
     void split_long_edges(PassContext& context);
-    void collapse_short_edges(PassContext& context);
+    /// Of those that are not longer than `longest`.
+    void collapse_short_edges(PassContext& context, double longest = std::numeric_limits<double>::infinity());
 
     /// Wanted lengths off the interface follow what has moved in the region.
     static void update_lengths(PassContext& context);

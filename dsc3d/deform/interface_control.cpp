@@ -67,18 +67,20 @@ void InterfaceControl::run(PassContext& context) {
         vertices.insert(vertices.end(), {a, b});
     }
     context.region.clear();
-    collapse_short_edges(context, edges);
-    remove_degenerate_edges(context, edges);
-    remove_caps(context, edges);
-    split_long_edges(context, edges);
+    if (context.parameters.collapses_interface) {
+        collapse_short_edges(context, edges);
+        remove_degenerate_edges(context, edges);
+    }
+    if (context.parameters.flips_interface) remove_caps(context, edges);
+    if (context.parameters.splits_interface) split_long_edges(context, edges);
     const std::vector<EdgeId> new_edges = context.region.interface_edges(context.complex());
     const std::vector<VertexId> new_vertices = context.region.interface_vertices(context.complex());
     edges.insert(edges.end(), new_edges.begin(), new_edges.end());
     vertices.insert(vertices.end(), new_vertices.begin(), new_vertices.end());
     core::sort_unique(edges);
     core::sort_unique(vertices);
-    flip_edges(context, edges);
-    smooth_vertices(context, vertices);
+    if (context.parameters.flips_interface) flip_edges(context, edges);
+    if (context.parameters.smooths_interface) smooth_vertices(context, vertices);
     for (const EdgeId e : edges)
         if (!context.complex().is_deleted(e) && context.complex().is_interface(e))
             seen_length_[e] = context.relative_length(e);

@@ -66,6 +66,10 @@ struct DeformParameters {
 
     // Tetrahedra
     bool improves_quality = true;
+    /// What hill climbing does: moves vertices, removes edges and faces, collapses edges.
+    bool smooths = true;
+    bool flips = true;
+    bool thins = true;
     /// Tetrahedra below this are improved. In (0, 1).
     double poor_quality = 0.26;
     /// Tetrahedra that stay below this in spite of it are escaped from, or get a vertex. In [0, poor_quality].
@@ -94,6 +98,11 @@ struct DeformParameters {
 
     // The interface as a surface
     bool controls_interface = true;
+    /// What it does to the interface.
+    bool collapses_interface = true;
+    bool splits_interface = true;
+    bool flips_interface = true;
+    bool smooths_interface = true;
     /// Its operations make no tetrahedron worse than this, or than it is. In (0, 1).
     double interface_quality = 0.1;
     /// Its edges that are shorter than this are collapsed, and triangles lower than this are flipped away, whatever

@@ -44,6 +44,13 @@ void Upkeep::run(PassContext& context) {
     add_difference(before, passes_.counts(), context.report.counts);
 }
 
+void Upkeep::smooth(PassContext& context) {
+    const PassCounts before = passes_.counts();
+    for (const VertexId v : context.region.vertices(context.complex()))
+        if (context.mesh.surface().motion(v) != VertexMotion::fixed) passes_.smooth(v);
+    add_difference(before, passes_.counts(), context.report.counts);
+}
+
 void Upkeep::rescue(PassContext& context) {
     const PassCounts before = passes_.counts();
     escape(context);
@@ -86,11 +93,13 @@ bool Upkeep::mend(const PassContext& context, TetId t) {
     const Complex& complex = context.complex();
     bool has_changed = false;
     for (const VertexId v : TetVertices(complex.vertices(t))) {
+        if (!context.parameters.smooths) break;
         if (mesh.surface().motion(v) == VertexMotion::fixed) continue;
         has_changed = passes_.smooth(v) || has_changed;
         if (mesh.quality(t) >= context.parameters.poor_quality) return has_changed;
     }
-    if (passes_.remove_tet(t)) return true;
+    if (context.parameters.flips && passes_.remove_tet(t)) return true;
+    if (!context.parameters.thins) return has_changed;
     for (const EdgeId e : complex.edges(t))
         if (!complex.is_interface(e) && passes_.collapse_edge(e)) return true;
     return has_changed;

@@ -23,6 +23,8 @@ public:
 
     /// Hill climbing in the region.
     void run(PassContext& context);
+    /// Moves every vertex of the region that may move to where its tetrahedra are best.
+    void smooth(PassContext& context);
     /// Escapes and new vertices for what is still bad in the region: dear.
     void rescue(PassContext& context);
 

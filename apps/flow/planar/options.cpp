@@ -127,7 +127,7 @@ private:
     }
 
     void check_uses() const {
-        for (const char* option : {"--axis", "--feature-angle"})
+        for (const char* option : {"--axis", "--feature-angle", "--growth"})
             if (line_.is_given(option))
                 throw core::UsageError(std::string(option) + ": is there in three dimensions only");
         const bool is_file = options_.shape.shape == Shape::file;

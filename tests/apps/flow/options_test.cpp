@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/flow/passes.h"
 #include "core/errors.h"
 #include "tests/support/temporary_folder.h"
 
@@ -96,6 +97,22 @@ TEST_CASE("curl noise, shear and velocities from a file have options of their ow
     check_refused({"sphere", "--motion", "shear", "--speed", "2"}, "--speed");
     check_refused({"sphere", "--motion", "curl-noise", "--frequency", "0.5"}, "--frequency");
     check_refused({"sphere", "--motion", "curl-noise", "--gradient", "0,1,0"}, "--gradient");
+}
+
+TEST_CASE("passes are switched off by name") {
+    const Options options = *parsed({"sphere", "--without", "smoothing,interface-flips"});
+    dsc3d::DeformParameters parameters{.edge_length = 1};
+    switch_off(options.without, parameters);
+    CHECK_FALSE(parameters.smooths);
+    CHECK_FALSE(parameters.flips_interface);
+    CHECK(parameters.flips);
+    for (const std::string& name : pass_names()) {
+        dsc3d::DeformParameters changed{.edge_length = 1};
+        switch_off(name, changed);
+        CHECK_NOTHROW(changed.validate());
+    }
+    check_refused({"sphere", "--without", "smoothing,flop"}, "flop");
+    check_refused({"disc", "--dimension", "2", "--without", "smoothing"}, "--without");
 }
 
 TEST_CASE("options that are wrong, missing or of no use are refused by name") {

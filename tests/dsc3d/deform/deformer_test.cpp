@@ -183,6 +183,33 @@ TEST_CASE("a ball that goes once around is where it was, with its triangles, in 
     for (const auto& [v, place] : start) CHECK((mesh.position(v) - place).norm() < 1e-13);
 }
 
+TEST_CASE("an interface that has no way to go stays as it is to the last bit, and a mesh without motion as a whole") {
+    Mesh mesh = box_with(two_balls, 0.1);
+    Deformer deformer(mesh, {.edge_length = 0.1});
+    const std::vector<double> resting = bits(mesh);
+    const StepReport report = deformer.step(targets_of(mesh, [](const Point3& p) { return p; }));
+    CHECK(report.is_complete);
+    CHECK(bits(mesh) == resting);
+    const auto before = places(mesh);
+    const auto triangles = interface_triangles(mesh.complex());
+    const auto moved = [](const Point3& p) { return Point3(p + Point3(0, p.x() < 0.5 ? 0.03 : 0, 0)); };
+    for (int step = 0; step < 4; ++step) {
+        const auto targets = targets_of(mesh, moved);
+        deformer.step(targets, [&](const Point3& p, double share) { return Point3(p + share * (moved(p) - p)); });
+    }
+    const auto after = places(mesh);
+    CHECK(after != before);
+    const auto now = interface_triangles(mesh.complex());
+    std::size_t count = 0;
+    for (const FaceVertices& triangle : triangles) {
+        if (before.at(triangle[0]).x() < 0.5) continue;
+        ++count;
+        for (const VertexId v : triangle) CHECK(after.at(v) == before.at(v));
+        CHECK(std::ranges::count(now, triangle) == 1);
+    }
+    CHECK(count > 0);
+}
+
 TEST_CASE("the substeps of a path lie on it") {
     // A turn by 90 degrees in one step: on the chords the ball would be squeezed to half its volume.
     Mesh mesh = box_with([](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.2; }, 0.15);
@@ -207,6 +234,23 @@ TEST_CASE("the substeps of a path lie on it") {
     CHECK(interface_triangles(mesh.complex()) == triangles);
     CHECK(volume_of_label(mesh, 1) == Approx(volume).epsilon(1e-12));
     require_valid(mesh);
+}
+
+TEST_CASE("a mesh that is too fine off the interface is coarsened at once, and the interface stays as it is") {
+    Mesh mesh = box_with(one_ball, 0.07);
+    const std::size_t before = mesh.complex().tet_count();
+    const auto triangles = interface_triangles(mesh.complex());
+    const auto start = places(mesh);
+    Deformer deformer(mesh, {.edge_length = 0.06});
+    const StepReport report = deformer.coarsen_everywhere();
+    CHECK(report.counts.collapses > 0);
+    CHECK(mesh.complex().tet_count() < before / 2);
+    CHECK(interface_triangles(mesh.complex()) == triangles);
+    for (const VertexId v : vertices(mesh.complex()))
+        if (mesh.complex().is_interface(v)) CHECK(mesh.position(v) == start.at(v));
+    CHECK(min_dihedral(mesh) > 10);
+    require_valid(mesh);
+    CHECK(deformer.coarsen_everywhere().counts.collapses < report.counts.collapses / 5);
 }
 
 TEST_CASE("balls that are driven into each other merge where the policy lets them", "[slow]") {
