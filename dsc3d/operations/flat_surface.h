@@ -7,7 +7,8 @@
 // tolerance of one plane, all vertices of a ridge within half of it of one segment, and planes and segments are those
 // of the input however often vertices move: the surface stays within the tolerance of the input surface. Vertices of a
 // curved wall lie on it within rounding; its triangles are chords, so that what is changed there changes the volume of
-// the domain, but makes no edge over which the wall turns by more than 6 degrees. Cost: linear in the surface to make; queries are array reads.
+// the domain, but makes no edge over which the wall turns by more than 6 degrees. Cost: linear in the surface to make;
+// queries are array reads.
 #pragma once
 
 #include <cstdint>
@@ -84,7 +85,8 @@ public:
         const Wall* wall = patches_[static_cast<std::size_t>(patch)].wall;
         return wall ? wall->nearest(position) : position;
     }
-    /// Whether an edge of the patch may come between these places: where it would cut off too much of a curved wall, not.
+    /// Whether an edge of the patch may come between these places: where it would cut off too much of a curved wall,
+    /// not.
     bool allows_edge(std::int32_t patch, const Point3& p, const Point3& q) const;
     /// Where a vertex of the boundary goes that is sent to `position` along it, as an interface that slides on a wall
     /// takes it: the nearest place in its plane, on its wall or on the line of its segment; its present place, when it

@@ -145,11 +145,18 @@ TEST_CASE("a motion out of the domain, and a size that stops being one, end a ru
     {
         Run run(10);
         const MotionOptions motion{.motion = Motion::translate, .velocity = Point3(1, 0, 0)};
-        run.go(motion_targets(motion, run.result.domain, 1), observer);
+        run.go(motion_targets(motion, run.result.domain, 1), observer, motion::TopologyPolicy::preserved);
         CHECK(run.result.end == FlowEnd::stopped);
         CHECK_THAT(run.result.reason, Catch::Contains("vertex") && Catch::Contains("out of the domain"));
         CHECK(run.result.steps.back().labels[1].volume ==
               Approx(run.result.steps.front().labels[1].volume).epsilon(0.01));
+    }
+    {
+        // Where it may touch the wall, it goes into it.
+        Run run(10);
+        const MotionOptions motion{.motion = Motion::translate, .velocity = Point3(1, 0, 0)};
+        run.go(motion_targets(motion, run.result.domain, 1), observer);
+        CHECK(run.result.end == FlowEnd::vanished);
     }
     Run run(10);
     const MotionOptions motion{.motion = Motion::translate, .velocity = Point3(0.2, 0, 0)};
