@@ -70,7 +70,7 @@ SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, con
         sample.points = count;
         if (count < 3) return sample;
         // Curvature costs a little: then few or noisy points make a plane rather than a wild patch.
-        const double stiffness = count < enough_for_quadratic ? 1e3 : 1e-3 + 2 * noise_ / reach;
+        const double stiffness = count < enough_for_quadratic ? 1e3 : 1e-3 + 0.5 * noise_ / reach;
         for (int k = 3; k < 6; ++k) matrix(k, k) += stiffness * weights * 0.05;
         for (int k = 1; k < 3; ++k) matrix(k, k) += 1e-4 * weights;
         const Vector6 patch = matrix.ldlt().solve(right);

@@ -84,9 +84,9 @@ std::size_t Workbench::move(std::span<const VertexId> vertices, const core::Attr
     region_.add(advance_.region());
     std::size_t arrived = 0;
     for (const VertexId v : vertices) {
-        const bool is_there = position(v) == target[v] ||
-                              dsc3d::move_to_link(rated_, v, target[v],
-                                                  {.least_quality = own_.least_quality, .approach = 0.9});
+        const bool is_there =
+            position(v) == target[v] ||
+            dsc3d::move_to_link(rated_, v, target[v], {.least_quality = own_.least_quality, .approach = 0.9});
         arrived += is_there ? 1 : 0;
     }
     return arrived;

@@ -20,8 +20,9 @@ using dsc3d::Point3;
 using dsc3d::VertexId;
 
 struct WorkbenchParameters {
-    double least_quality = 0.03;  ///< least sine of a dihedral angle that an operation leaves, or what there was; (0, 1)
-    double poor_quality = 0.2;    ///< tetrahedra below this are improved after they have changed; (0, 1)
+    double least_quality =
+        0.03;                   ///< least sine of a dihedral angle that an operation leaves, or what there was; (0, 1)
+    double poor_quality = 0.2;  ///< tetrahedra below this are improved after they have changed; (0, 1)
 };
 
 class Workbench {
