@@ -49,7 +49,7 @@ struct Cloud {
     Point3 to_input(const Point3& p) const { return origin + scale * p; }
 };
 
-/// Finds other numbers of neighbours.
+/// Finds as many neighbours of each point, or all others when there are fewer.
 void set_neighbours(Cloud& cloud, std::size_t count);
 
 /// Throws core::InputError, naming `source`, for fewer than 4 different points, points on a line or in a plane, and

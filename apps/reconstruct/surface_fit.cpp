@@ -7,7 +7,6 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "core/sort_unique.h"
 #include "surface/triangle.h"
 
 namespace dsc::reconstruct {

@@ -40,8 +40,6 @@ SurfaceModel::SurfaceModel(const Cloud& cloud, const KdTree& tree, std::span<con
     parameters.validate();
 }
 
-double SurfaceModel::spacing(const Point3& x) const { return cloud_.spacing[tree_.nearest(x).index]; }
-
 // The patch z = a + bu + cv + du^2 + euv + fv^2 over the plane through x, by weighted least squares over the points of
 // the side; a plane when they are few.
 SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, const Vector3& normal) const {

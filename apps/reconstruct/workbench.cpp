@@ -92,14 +92,6 @@ std::size_t Workbench::move(std::span<const VertexId> vertices, const core::Attr
     return arrived;
 }
 
-bool Workbench::move(VertexId v, const Point3& place) {
-    const std::span<const dsc3d::TetId> star = rated_.walker().star(v);
-    const double least = std::min(rated_.worst_quality(star), own_.least_quality);
-    if (!rated_.move(v, place, star, least)) return false;
-    region_.add_star(rated_, v);
-    return true;
-}
-
 VertexId Workbench::split(EdgeId e, const Point3& place) {
     const auto [a, b] = complex().vertices(e);
     const VertexId m = rated_.split(e, place);

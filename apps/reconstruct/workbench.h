@@ -29,8 +29,6 @@ class Workbench {
 public:
     Workbench(dsc3d::Mesh& mesh, double edge_length, const WorkbenchParameters& parameters);
 
-    dsc3d::Mesh& mesh() { return mesh_; }
-    const dsc3d::Mesh& mesh() const { return mesh_; }
     const dsc3d::Complex& complex() const { return mesh_.complex(); }
     const Point3& position(VertexId v) const { return mesh_.position(v); }
     std::vector<VertexId> interface_vertices() const;
@@ -44,8 +42,6 @@ public:
 
     /// Moves vertices towards their targets, as far as the complex allows; how many arrived.
     std::size_t move(std::span<const VertexId> vertices, const core::Attribute<VertexId, Point3>& target);
-    /// Moves one vertex all the way, or not at all.
-    bool move(VertexId v, const Point3& place);
     /// Invalid when the parts would not be positive.
     VertexId split(EdgeId e, const Point3& place);
     bool collapse(EdgeId e, VertexId kept, const Point3& place);
