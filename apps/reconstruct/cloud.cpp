@@ -80,10 +80,9 @@ std::vector<std::uint8_t> strays(const Cloud& cloud, const CloudParameters& para
         others.clear();
         for (const std::uint32_t j : cloud.neighbours_of(i).first(k)) others.push_back(reach[j]);
         std::nth_element(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(k / 2), others.end());
-        is_stray[i] = reach[i] > parameters.stray_distance * others[k / 2] ||
-                              popularity[i] <= parameters.stray_popularity
-                          ? 1
-                          : 0;
+        is_stray[i] =
+            reach[i] > parameters.stray_distance * others[k / 2] || popularity[i] <= parameters.stray_popularity ? 1
+                                                                                                                 : 0;
     }
     core::DisjointSets parts(n);
     std::vector<std::size_t> size(n, 0);
@@ -157,15 +156,15 @@ void set_neighbours(Cloud& cloud, std::size_t count) {
     });
 }
 
-Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source, int threads) {
+Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source,
+                     int threads) {
     parameters.validate();
     Cloud cloud;
     cloud.threads = threads;
     cloud.original = different_points(points);
     cloud.duplicates = points.size() - cloud.original.size();
     if (cloud.original.size() < 4)
-        throw core::InputError(source, "",
-                               "only " + std::to_string(cloud.original.size()) + " different points",
+        throw core::InputError(source, "", "only " + std::to_string(cloud.original.size()) + " different points",
                                "a closed surface needs at least 4, and some hundred to look like something");
     // Sizes first, so that nothing overflows or vanishes.
     Eigen::AlignedBox3d box;

@@ -16,8 +16,8 @@
 namespace dsc::reconstruct {
 
 struct CloudParameters {
-    int neighbours = 24;         ///< of a point, as far as there are as many; at least 8
-    int spacing_neighbours = 12; ///< whose disk gives the spacing; in [4, neighbours]
+    int neighbours = 24;          ///< of a point, as far as there are as many; at least 8
+    int spacing_neighbours = 12;  ///< whose disk gives the spacing; in [4, neighbours]
     /// A point is stray when its 8th neighbour is this many times as far as that of its neighbours are from theirs ...
     double stray_distance = 3.5;
     /// ... or when it is among the 8 nearest of no more points than this, ...
@@ -37,7 +37,7 @@ struct Cloud {
     Point3 origin = Point3::Zero();  ///< place in the input of the scaled origin
     double scale = 1;                ///< length in the input of a scaled 1: the diagonal of the box
     std::uint32_t neighbour_count = 0;
-    int threads = 0;  ///< that computations on the cloud use; 0: all
+    int threads = 0;                        ///< that computations on the cloud use; 0: all
     std::vector<std::uint32_t> neighbours;  ///< `neighbour_count` for each point, nearest first, without itself
     std::vector<double> spacing;            ///< side of the square that a point has of the surface
     double median_spacing = 0;
@@ -49,11 +49,12 @@ struct Cloud {
     Point3 to_input(const Point3& p) const { return origin + scale * p; }
 };
 
-/// Finds other numbers of neighbours.
+/// Finds as many neighbours of each point, or all others when there are fewer.
 void set_neighbours(Cloud& cloud, std::size_t count);
 
 /// Throws core::InputError, naming `source`, for fewer than 4 different points, points on a line or in a plane, and
 /// coordinates too large to be squared.
-Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source, int threads = 0);
+Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& parameters, const std::string& source,
+                     int threads = 0);
 
 }  // namespace dsc::reconstruct

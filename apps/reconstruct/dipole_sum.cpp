@@ -42,8 +42,12 @@ DipoleSum::Targets DipoleSum::targets(std::span<const Point3> points) const {
     std::vector<std::uint32_t> open;
     for (const KdTree::Node& group : groups.nodes()) {
         if (!group.is_leaf()) continue;
-        Targets::Group entry{group.begin, group.end, static_cast<std::uint32_t>(result.far_.size()), 0,
-                             static_cast<std::uint32_t>(result.near_.size()), 0};
+        Targets::Group entry{group.begin,
+                             group.end,
+                             static_cast<std::uint32_t>(result.far_.size()),
+                             0,
+                             static_cast<std::uint32_t>(result.near_.size()),
+                             0};
         const double group_radius = 0.5 * group.box.diagonal().norm();
         open.assign(nodes.empty() ? 0 : 1, 0);
         while (!open.empty()) {
@@ -78,7 +82,8 @@ void DipoleSum::evaluate(const Targets& targets, std::span<const Vector3> moment
                       {static_cast<float>(m.x()), static_cast<float>(m.y()), static_cast<float>(m.z())},
                       static_cast<float>(width * width)};
     };
-    for (std::size_t i = 0; i < order.size(); ++i) near[i] = source(points_[order[i]], moments[order[i]], widths[order[i]]);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        near[i] = source(points_[order[i]], moments[order[i]], widths[order[i]]);
     // A node acts at the mean of its points, weighted by the size of their moments.
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         Point3 place = Point3::Zero();
@@ -98,7 +103,8 @@ void DipoleSum::evaluate(const Targets& targets, std::span<const Vector3> moment
         for (int lane = 0; lane < Targets::group_size; ++lane) {
             const std::uint32_t at = std::min(group.begin + static_cast<std::uint32_t>(lane), group.end - 1);
             const Point3& p = targets.points_[targets.order_[at]];
-            x[lane] = static_cast<float>(p.x()), y[lane] = static_cast<float>(p.y()), z[lane] = static_cast<float>(p.z());
+            x[lane] = static_cast<float>(p.x()), y[lane] = static_cast<float>(p.y()),
+            z[lane] = static_cast<float>(p.z());
         }
         std::array<Lanes, 3> sum{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
         const auto add = [&](const Source& s) {
@@ -148,7 +154,8 @@ struct VectorResult {
 };
 
 struct GradientKernel : VectorResult {
-    void operator()(const Rays& rays, const std::array<float, 3>& m, float squared_width, std::array<Lanes, 3>& sum) const {
+    void operator()(const Rays& rays, const std::array<float, 3>& m, float squared_width,
+                    std::array<Lanes, 3>& sum) const {
         const Lanes along = (rays.squared >= squared_width)
                                 .select(3.0F * (m[0] * rays.dx + m[1] * rays.dy + m[2] * rays.dz) / rays.squared, 0.0F);
         sum[0] += (along * rays.dx - m[0]) * rays.inverse_cube;

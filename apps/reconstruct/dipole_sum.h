@@ -6,10 +6,11 @@
 //     gradient of w    -m / r^3 + 3 (m . d) d / r^5, the first term only where |d| < width
 //     adjoint          v(x) = sum of s (x - p) / (4 pi r^3)  s: a number
 //
-// Source: Barill, Dickson, Schmidt, Levin, Jacobson (2018), "Fast winding numbers for soups and clouds"; the regularized
-// kernel: Lin, Shi, Liu (2024), "Fast and globally consistent normal orientation based on the winding number normal
-// consistency". Guarantee: relative error of about 1 %, which single precision doesn't change; the same bits on any
-// number of threads. Cost: some 4 us per target for 20,000 sources, growing with the logarithm of their number.
+// Source: Barill, Dickson, Schmidt, Levin, Jacobson (2018), "Fast winding numbers for soups and clouds"; the
+// regularized kernel: Lin, Shi, Liu (2024), "Fast and globally consistent normal orientation based on the winding
+// number normal consistency". Guarantee: relative error of about 1 %, which single precision doesn't change; the same
+// bits on any number of threads. Cost: some 4 us per target for 20,000 sources, growing with the logarithm of their
+// number.
 #pragma once
 
 #include <cstdint>
@@ -46,9 +47,12 @@ public:
     Targets targets(std::span<const Point3> points) const;
 
     /// `moments`, `strengths` and `widths` have one entry for each source.
-    std::vector<double> winding_numbers(const Targets& targets, std::span<const Vector3> moments, std::span<const double> widths) const;
-    std::vector<Vector3> gradients(const Targets& targets, std::span<const Vector3> moments, std::span<const double> widths) const;
-    std::vector<Vector3> adjoints(const Targets& targets, std::span<const double> strengths, std::span<const double> widths) const;
+    std::vector<double> winding_numbers(const Targets& targets, std::span<const Vector3> moments,
+                                        std::span<const double> widths) const;
+    std::vector<Vector3> gradients(const Targets& targets, std::span<const Vector3> moments,
+                                   std::span<const double> widths) const;
+    std::vector<Vector3> adjoints(const Targets& targets, std::span<const double> strengths,
+                                  std::span<const double> widths) const;
 
 private:
     template <class Kernel>

@@ -33,9 +33,8 @@ std::vector<double> distances_from_surface(std::span<const Point3> points, const
     tree.accelerate_distance_queries();
     tree.closest_point(cgal_point(points.empty() ? Point3(Point3::Zero()) : points.front()));  // builds the trees once
     std::vector<double> distances(points.size());
-    core::parallel_for(points.size(), {.threads = threads}, [&](std::size_t i) {
-        distances[i] = std::sqrt(tree.squared_distance(cgal_point(points[i])));
-    });
+    core::parallel_for(points.size(), {.threads = threads},
+                       [&](std::size_t i) { distances[i] = std::sqrt(tree.squared_distance(cgal_point(points[i]))); });
     return distances;
 }
 

@@ -72,8 +72,8 @@ double half_side_of_box(std::vector<double> cells, double margin) {
     return half_side;
 }
 
-// Signed distance from the points' planes where they are near, else from the winding number; negative inside. The sign
-// is always that of the winding number.
+// Signed distance from the planes of the nearest points, negative inside. The sign is that of the winding number; where
+// that is in doubt, as it may be within a plate of few points, and all nearest points agree, it is theirs.
 std::vector<double> levels(const Cloud& cloud, const KdTree& tree, const Orientation& orientation, double noise,
                            std::span<const Point3> places) {
     std::vector<Vector3> moments(cloud.size());
@@ -91,13 +91,18 @@ std::vector<double> levels(const Cloud& cloud, const KdTree& tree, const Orienta
         tree.nearest(places[i], few, near);
         const double spacing = std::max(cloud.spacing[near.front().index], 2 * noise);
         double height = 0, weights = 0;
+        std::size_t in_front = 0;
         for (const KdTree::Neighbour& point : near) {
             const double weight = 1 / (point.squared_distance + 0.25 * spacing * spacing);
-            height += weight * (places[i] - cloud.points[point.index]).dot(orientation.normals[point.index]);
+            const double own_height = (places[i] - cloud.points[point.index]).dot(orientation.normals[point.index]);
+            height += weight * own_height;
             weights += weight;
+            in_front += own_height > 0 ? 1 : 0;
         }
         height /= weights;
-        const bool is_inside = winding[i] > 0.5;
+        constexpr double doubt = 0.3;
+        const bool is_agreed = in_front == 0 || in_front == near.size();
+        const bool is_inside = is_agreed && std::abs(winding[i] - 0.5) < doubt ? in_front == 0 : winding[i] > 0.5;
         // Where the two disagree the surface is near.
         if ((height < 0) != is_inside) height = (is_inside ? -0.1 : 0.1) * spacing;
         result[i] = height != 0 ? height : (is_inside ? -1e-3 : 1e-3) * spacing;

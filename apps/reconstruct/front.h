@@ -22,12 +22,12 @@ inline constexpr int outside_label = 0;
 inline constexpr int inside_label = 1;
 
 struct FrontParameters {
-    double cell = 2.5;              ///< side of a leaf at the points, in their spacings; > 0
-    double cells_across = 1.3;    ///< at least, through what is thin, as far as the spacing allows; > 0
-    double least_cell = 1.2;        ///< ... and no smaller than this, in spacings; in (0, cell]
-    double growth = 0.5;          ///< of the leaves, per distance from the points; > 0
-    double margin = 0.2;          ///< of the box around the cloud, in diagonals of the cloud; > 0
-    double least_support = 0.4;   ///< share of the vertices of a part's surface that have a point within a leaf; [0, 1]
+    double cell = 2.5;           ///< side of a leaf at the points, in their spacings; > 0
+    double cells_across = 1.3;   ///< at least, through what is thin, as far as the spacing allows; > 0
+    double least_cell = 1.2;     ///< ... and no smaller than this, in spacings; in (0, cell]
+    double growth = 0.5;         ///< of the leaves, per distance from the points; > 0
+    double margin = 0.2;         ///< of the box around the cloud, in diagonals of the cloud; > 0
+    double least_support = 0.4;  ///< share of the vertices of a part's surface that have a point within a leaf; [0, 1]
 
     /// Throws core::UsageError naming the field.
     void validate() const;
@@ -35,9 +35,9 @@ struct FrontParameters {
 
 struct Front {
     std::unique_ptr<dsc3d::Mesh> mesh;
-    std::vector<double> cell;      ///< wanted side of a leaf at each point of the cloud
-    std::size_t dropped_parts = 0; ///< regions that no points bound
-    std::size_t cavities = 0;      ///< of outside within inside, which stay
+    std::vector<double> cell;       ///< wanted side of a leaf at each point of the cloud
+    std::size_t dropped_parts = 0;  ///< regions that no points bound
+    std::size_t cavities = 0;       ///< of outside within inside, which stay
 
     /// Length of the edges of the interface at a point of the cloud.
     double wanted_edge(std::size_t point) const { return edge_per_cell * cell[point]; }

@@ -40,7 +40,7 @@ public:
     void within(const Point3& p, double radius, std::vector<Neighbour>& found) const;
 
     struct Node {
-        Eigen::AlignedBox3d box;  ///< of its points
+        Eigen::AlignedBox3d box;   ///< of its points
         std::uint32_t begin, end;  ///< in order()
         std::uint32_t right = 0;   ///< its second child; the first one follows it; 0: a leaf
         bool is_leaf() const { return right == 0; }

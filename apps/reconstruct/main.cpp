@@ -27,8 +27,8 @@ void write_results(const Options& options, const geometry::PointData& cloud, con
                                 .face_columns = {{"invented", result.is_invented}}});
     if (options.tets) io::write_tet_mesh(*options.tets, result.tets);
     if (options.html)
-        io::write_html_page(*options.html, html_page(result, cloud, stages,
-                                                     std::filesystem::path(options.input).filename().string()));
+        io::write_html_page(*options.html,
+                            html_page(result, cloud, stages, std::filesystem::path(options.input).filename().string()));
     if (options.common.json) io::write_file(*options.common.json, report_json(result, options.given).dump(1) + "\n");
 }
 

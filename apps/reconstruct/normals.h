@@ -11,10 +11,10 @@
 namespace dsc::reconstruct {
 
 struct NormalParameters {
-    double agreement = 30;  ///< planes of neighbours bent by more belong to different sides [degree]; (0, 90)
-    int plane_points = 9;   ///< neighbours that make a plane where there is no noise; >= 4
+    double agreement = 30;           ///< planes of neighbours bent by more belong to different sides [degree]; (0, 90)
+    int plane_points = 9;            ///< neighbours that make a plane where there is no noise; >= 4
     double noticeable_noise = 0.05;  ///< from here on planes are made of all neighbours [spacing]; >= 0
-    int rounds = 3;         ///< of fitting again; >= 0
+    int rounds = 3;                  ///< of fitting again; >= 0
 
     /// Throws core::UsageError naming the field.
     void validate() const;

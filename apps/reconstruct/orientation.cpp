@@ -183,7 +183,8 @@ Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes, 
     for (std::size_t i = 0; i < n; ++i) result.areas[i] = cloud.spacing[i] * cloud.spacing[i];
     result.normals.resize(n);
     const auto turn = [&](const std::vector<Vector3>& gradient) {
-        for (std::size_t i = 0; i < n; ++i) result.normals[i] = gradient[i].dot(axes[i]) > 0 ? -axes[i] : Vector3(axes[i]);
+        for (std::size_t i = 0; i < n; ++i)
+            result.normals[i] = gradient[i].dot(axes[i]) > 0 ? -axes[i] : Vector3(axes[i]);
     };
     {
         const KdTree tree(places);

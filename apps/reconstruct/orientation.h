@@ -15,12 +15,12 @@ namespace dsc::reconstruct {
 
 struct OrientationParameters {
     std::size_t most_points = 15000;  ///< that are oriented from nothing; the others follow them; >= 4
-    double noise_distance = 4;       ///< least distance of these, in standard deviations of the noise; >= 0
-    int rounds = 40;                 ///< of descent; >= 1
-    int passes = 6;                  ///< of signs on the whole cloud; >= 1
-    int repairs = 3;                 ///< of places where signs are mixed; >= 0
-    double first_width = 4;          ///< of the kernel, in spacings of the thinned cloud, falling from here ...
-    double last_width = 1;           ///< ... to this; > 0
+    double noise_distance = 4;        ///< least distance of these, in standard deviations of the noise; >= 0
+    int rounds = 40;                  ///< of descent; >= 1
+    int passes = 6;                   ///< of signs on the whole cloud; >= 1
+    int repairs = 3;                  ///< of places where signs are mixed; >= 0
+    double first_width = 4;           ///< of the kernel, in spacings of the thinned cloud, falling from here ...
+    double last_width = 1;            ///< ... to this; > 0
 
     /// Throws core::UsageError naming the field.
     void validate() const;
@@ -28,7 +28,7 @@ struct OrientationParameters {
 
 struct Orientation {
     std::vector<Vector3> normals;  ///< unit, outwards
-    std::vector<double> areas;     ///< of the surface, one for each point, scaled so that the winding number inside is 1
+    std::vector<double> areas;  ///< of the surface, one for each point, scaled so that the winding number inside is 1
 };
 
 /// `noise`: standard deviation of the points off the surface.

@@ -62,15 +62,17 @@ std::vector<std::int64_t> genus_of_components(const geometry::SurfaceData& surfa
 
 void require_good_surface(const Reconstruction& result, const std::string& source) {
     if (result.surface.triangles.empty())
-        throw core::RunError(source + ": no surface was found: the points don't enclose anything at their spacing; "
-                                      "give more points, or --noise");
+        throw core::RunError(source +
+                             ": no surface was found: the points don't enclose anything at their spacing; "
+                             "give more points, or --noise");
     const geometry::SurfaceCheck& check = result.check;
     const bool is_good = check.is_closed() && check.is_manifold() && check.is_oriented() &&
                          check.degenerate_triangles.empty() && check.volume && *check.volume > 0 &&
                          geometry::self_intersections(result.surface).empty();
     if (!is_good)
-        throw core::RunError(source + ": the surface is not valid as its coordinates are rounded; move the points "
-                                      "nearer to the origin");
+        throw core::RunError(source +
+                             ": the surface is not valid as its coordinates are rounded; move the points "
+                             "nearer to the origin");
 }
 
 void measure(const Cloud& cloud, const ReconstructParameters& parameters, Reconstruction& result) {
@@ -101,7 +103,8 @@ void measure(const Cloud& cloud, const ReconstructParameters& parameters, Recons
 // So many that their disk is as wide as noise asks for, which is a ratio of the spacing.
 int wanted_neighbours(double noise, const ReconstructParameters& parameters) {
     const double radius = parameters.noise_reach * noise;
-    return static_cast<int>(std::clamp(std::numbers::pi * radius * radius, static_cast<double>(parameters.cloud.neighbours),
+    return static_cast<int>(std::clamp(std::numbers::pi * radius * radius,
+                                       static_cast<double>(parameters.cloud.neighbours),
                                        static_cast<double>(parameters.most_neighbours)));
 }
 
@@ -158,7 +161,8 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
     const SurfaceModel model(cloud, tree, orientation.normals, noise, model_parameters);
     const auto wanted = [&](const Point3& p) { return front.wanted_edge(tree.nearest(p).index); };
     double mean_edge = 0;
-    for (std::size_t i = 0; i < cloud.size(); ++i) mean_edge += front.wanted_edge(i) / static_cast<double>(cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+        mean_edge += front.wanted_edge(i) / static_cast<double>(cloud.size());
     {
         Workbench bench(*front.mesh, mean_edge, {});
         const FitWatcher fit_watcher = [&](const char* stage) {

@@ -38,9 +38,9 @@ struct ReconstructParameters {
     double min_angle = 12;         ///< that their dihedral angles should have [degree]; (0, 40]
     double invented_distance = 3;  ///< triangles farther from all points are invented [spacing]; > 0
     /// Points that a place is judged by reach this far, in standard deviations of the noise, ...
-    double noise_reach = 9;   ///< > 0
-    int most_neighbours = 60; ///< ... but are no more than this; at least cloud.neighbours
-    int threads = 0;          ///< 0: all
+    double noise_reach = 9;    ///< > 0
+    int most_neighbours = 60;  ///< ... but are no more than this; at least cloud.neighbours
+    int threads = 0;           ///< 0: all
     CloudParameters cloud = {};
     NormalParameters normals = {};
     OrientationParameters orientation = {};

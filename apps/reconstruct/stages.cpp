@@ -16,8 +16,7 @@ io::PolyData poly_data(const geometry::SurfaceData& surface) {
 }
 
 io::ViewSurface residual_view(const Reconstruction& result) {
-    io::ViewSurface view{
-        .name = "surface", .vertices = result.surface.vertices, .triangles = result.surface.triangles};
+    io::ViewSurface view{.name = "surface", .vertices = result.surface.vertices, .triangles = result.surface.triangles};
     for (const double distance : result.vertex_distance) {
         const double share = std::min(1.0, 0.5 * distance / result.spacing);
         view.colours.emplace_back(1, 1 - 0.75 * share, 1 - 0.85 * share);

@@ -7,7 +7,6 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "core/sort_unique.h"
 #include "surface/triangle.h"
 
 namespace dsc::reconstruct {
@@ -463,8 +462,8 @@ void SurfaceFitParameters::validate() const {
 }
 
 SurfaceFitCounts fit_surface(Workbench& bench, const SurfaceModel& model,
-                             const std::function<double(const Point3&)>& wanted,
-                             const SurfaceFitParameters& parameters, core::Observer& observer, const FitWatcher& watcher) {
+                             const std::function<double(const Point3&)>& wanted, const SurfaceFitParameters& parameters,
+                             core::Observer& observer, const FitWatcher& watcher) {
     parameters.validate();
     return SurfaceFit(bench, model, wanted, parameters, observer).run(watcher);
 }

@@ -40,8 +40,6 @@ SurfaceModel::SurfaceModel(const Cloud& cloud, const KdTree& tree, std::span<con
     parameters.validate();
 }
 
-double SurfaceModel::spacing(const Point3& x) const { return cloud_.spacing[tree_.nearest(x).index]; }
-
 // The patch z = a + bu + cv + du^2 + euv + fv^2 over the plane through x, by weighted least squares over the points of
 // the side; a plane when they are few.
 SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, const Vector3& normal) const {
@@ -70,7 +68,7 @@ SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, con
         sample.points = count;
         if (count < 3) return sample;
         // Curvature costs a little: then few or noisy points make a plane rather than a wild patch.
-        const double stiffness = count < enough_for_quadratic ? 1e3 : 1e-3 + 2 * noise_ / reach;
+        const double stiffness = count < enough_for_quadratic ? 1e3 : 1e-3 + 0.5 * noise_ / reach;
         for (int k = 3; k < 6; ++k) matrix(k, k) += stiffness * weights * 0.05;
         for (int k = 1; k < 3; ++k) matrix(k, k) += 1e-4 * weights;
         const Vector6 patch = matrix.ldlt().solve(right);

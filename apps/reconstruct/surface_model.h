@@ -43,9 +43,6 @@ public:
     SurfacePlace place(const Point3& x, double corner_reach, double crease_reach) const;
     /// The same on the smooth piece whose normal is nearest to `normal`; none when no points have such a one.
     std::optional<SurfacePlace> smooth_place(const Point3& x, const Vector3& normal) const;
-    /// Spacing of the points at x.
-    double spacing(const Point3& x) const;
-    double noise() const { return noise_; }
     int threads() const { return cloud_.threads; }
     const SurfaceModelParameters& parameters() const { return parameters_; }
 

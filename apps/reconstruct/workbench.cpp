@@ -84,20 +84,12 @@ std::size_t Workbench::move(std::span<const VertexId> vertices, const core::Attr
     region_.add(advance_.region());
     std::size_t arrived = 0;
     for (const VertexId v : vertices) {
-        const bool is_there = position(v) == target[v] ||
-                              dsc3d::move_to_link(rated_, v, target[v],
-                                                  {.least_quality = own_.least_quality, .approach = 0.9});
+        const bool is_there =
+            position(v) == target[v] ||
+            dsc3d::move_to_link(rated_, v, target[v], {.least_quality = own_.least_quality, .approach = 0.9});
         arrived += is_there ? 1 : 0;
     }
     return arrived;
-}
-
-bool Workbench::move(VertexId v, const Point3& place) {
-    const std::span<const dsc3d::TetId> star = rated_.walker().star(v);
-    const double least = std::min(rated_.worst_quality(star), own_.least_quality);
-    if (!rated_.move(v, place, star, least)) return false;
-    region_.add_star(rated_, v);
-    return true;
 }
 
 VertexId Workbench::split(EdgeId e, const Point3& place) {

@@ -20,16 +20,15 @@ using dsc3d::Point3;
 using dsc3d::VertexId;
 
 struct WorkbenchParameters {
-    double least_quality = 0.03;  ///< least sine of a dihedral angle that an operation leaves, or what there was; (0, 1)
-    double poor_quality = 0.2;    ///< tetrahedra below this are improved after they have changed; (0, 1)
+    double least_quality =
+        0.03;                   ///< least sine of a dihedral angle that an operation leaves, or what there was; (0, 1)
+    double poor_quality = 0.2;  ///< tetrahedra below this are improved after they have changed; (0, 1)
 };
 
 class Workbench {
 public:
     Workbench(dsc3d::Mesh& mesh, double edge_length, const WorkbenchParameters& parameters);
 
-    dsc3d::Mesh& mesh() { return mesh_; }
-    const dsc3d::Mesh& mesh() const { return mesh_; }
     const dsc3d::Complex& complex() const { return mesh_.complex(); }
     const Point3& position(VertexId v) const { return mesh_.position(v); }
     std::vector<VertexId> interface_vertices() const;
@@ -43,8 +42,6 @@ public:
 
     /// Moves vertices towards their targets, as far as the complex allows; how many arrived.
     std::size_t move(std::span<const VertexId> vertices, const core::Attribute<VertexId, Point3>& target);
-    /// Moves one vertex all the way, or not at all.
-    bool move(VertexId v, const Point3& place);
     /// Invalid when the parts would not be positive.
     VertexId split(EdgeId e, const Point3& place);
     bool collapse(EdgeId e, VertexId kept, const Point3& place);

@@ -77,8 +77,8 @@ private:
                 if (complex_.vertices(star_[here])[static_cast<std::size_t>(k)] == v) continue;
                 const TetId next = complex_.neighbour(star_[here], k);
                 if (!next.is_valid() || complex_.label(next) != label) continue;
-                const auto at = static_cast<std::size_t>(std::lower_bound(star_.begin(), star_.end(), next) -
-                                                         star_.begin());
+                const auto at =
+                    static_cast<std::size_t>(std::lower_bound(star_.begin(), star_.end(), next) - star_.begin());
                 if (piece_[at] >= 0) continue;
                 piece_[at] = piece;
                 front_.push_back(at);

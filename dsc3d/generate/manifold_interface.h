@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels changed until the surface of a region is a manifold: where the region, or the rest, touches itself in an edge
-// or a vertex only, the smaller of the pieces that touch goes to the other side. Source: thesis 2.1.1 (links). Guarantee:
-// only tetrahedra at such edges and vertices change, none of them back again more often than `most_rounds`; the same
-// bits for the same input. Cost: linear in the stars of the interface, per round.
+// or a vertex only, the smaller of the pieces that touch goes to the other side. Source: thesis 2.1.1 (links).
+// Guarantee: only tetrahedra at such edges and vertices change, none of them back again more often than `most_rounds`;
+// the same bits for the same input. Cost: linear in the stars of the interface, per round.
 #pragma once
 
 #include <cstddef>

@@ -24,7 +24,8 @@ struct OrientedCloud {
 inline OrientedCloud sphere_cloud(const Point3& centre, double radius, std::size_t count, core::Random& random) {
     OrientedCloud cloud;
     for (std::size_t i = 0; i < count; ++i) {
-        const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi), r = std::sqrt(1 - z * z);
+        const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi),
+                     r = std::sqrt(1 - z * z);
         cloud.normals.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
         cloud.points.push_back(centre + radius * cloud.normals.back());
     }

@@ -14,8 +14,7 @@ using namespace dsc::reconstruct;
 TEST_CASE("nearest points are those of a search through all") {
     core::Random random(tests::seed(1));
     std::vector<geometry::Point3> points;
-    for (int i = 0; i < 700; ++i)
-        points.emplace_back(random.uniform(), random.uniform(), 0.01 * random.uniform());
+    for (int i = 0; i < 700; ++i) points.emplace_back(random.uniform(), random.uniform(), 0.01 * random.uniform());
     points.push_back(points.front());  // equal ones ascend by number
     const KdTree tree(points);
     std::vector<KdTree::Neighbour> found;
@@ -29,7 +28,8 @@ TEST_CASE("nearest points are those of a search through all") {
         for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k].index == all[k].index);
         CHECK(tree.nearest(p).index == all.front().index);
         tree.within(p, 0.2, found);
-        const auto near = std::count_if(all.begin(), all.end(), [](const auto& a) { return a.squared_distance <= 0.04; });
+        const auto near =
+            std::count_if(all.begin(), all.end(), [](const auto& a) { return a.squared_distance <= 0.04; });
         REQUIRE(static_cast<std::ptrdiff_t>(found.size()) == near);
         for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k].index == all[k].index);
     }

@@ -12,7 +12,8 @@ using namespace dsc::reconstruct;
 namespace {
 
 // Share of the normals that are off by more than the angle [degree].
-double share_off(const Cloud& cloud, const std::vector<Vector3>& axes, const std::vector<Vector3>& truth, double angle) {
+double share_off(const Cloud& cloud, const std::vector<Vector3>& axes, const std::vector<Vector3>& truth,
+                 double angle) {
     std::size_t off = 0;
     for (std::size_t i = 0; i < axes.size(); ++i)
         off += std::abs(axes[i].dot(truth[cloud.original[i]])) < std::cos(angle * std::numbers::pi / 180) ? 1 : 0;

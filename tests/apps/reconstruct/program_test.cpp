@@ -46,10 +46,9 @@ TEST_CASE("surface, tetrahedra, report, page and stages are written") {
     core::Random random(seed(1));
     const std::string cloud = write_cloud(folder, sphere_cloud({0, 0, 0}, 1, 600, random));
     const auto path = [&](const char* name) { return (folder / name).string(); };
-    const ProgramResult run =
-        run_program(DSC_RECONSTRUCT_PROGRAM,
-                    {cloud, "-o", path("ball.ply"), "--tets", path("ball.vtu"), "--json", path("ball.json"), "--html",
-                     path("ball.html"), "--snapshots", path("stages")});
+    const ProgramResult run = run_program(
+        DSC_RECONSTRUCT_PROGRAM, {cloud, "-o", path("ball.ply"), "--tets", path("ball.vtu"), "--json",
+                                  path("ball.json"), "--html", path("ball.html"), "--snapshots", path("stages")});
     INFO(run.err);
     CHECK(run.exit_code == 0);
     CHECK(run.err.empty());
@@ -59,8 +58,7 @@ TEST_CASE("surface, tetrahedra, report, page and stages are written") {
     const io::Json report = io::Json::parse(io::read_file(path("ball.json")));
     CHECK(report["points"].integer() == 600);
     CHECK(report["surface"]["triangles"].integer() == static_cast<std::int64_t>(surface.triangles.size()));
-    CHECK(report["tets"].integer() ==
-          static_cast<std::int64_t>(io::read_tet_mesh(path("ball.vtu")).data.tets.size()));
+    CHECK(report["tets"].integer() == static_cast<std::int64_t>(io::read_tet_mesh(path("ball.vtu")).data.tets.size()));
     CHECK_THAT(io::read_file(path("ball.html")), Catch::Contains("stage"));
     CHECK(std::filesystem::exists(folder / "stages" / "series.pvd"));
 }

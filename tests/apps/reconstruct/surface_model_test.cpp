@@ -29,8 +29,7 @@ struct Model {
         return normals;
     }
     SurfacePlace place(const Point3& x, double reach) const {
-        SurfacePlace found =
-            model.place((x - cloud.origin) / cloud.scale, reach / cloud.scale, reach / cloud.scale);
+        SurfacePlace found = model.place((x - cloud.origin) / cloud.scale, reach / cloud.scale, reach / cloud.scale);
         found.point = cloud.to_input(found.point);
         return found;
     }
@@ -62,8 +61,7 @@ TEST_CASE("places on a sphere are nearer to it the denser the points are, and no
         const Model sphere(tests::sphere_cloud({0, 0, 0}, 1, count, random));
         double sum = 0;
         for (int i = 0; i < 200; ++i) {
-            const Vector3 x =
-                Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+            const Vector3 x = Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
             const SurfacePlace found = sphere.place(1.01 * x, 0.1);
             REQUIRE(found.sides == 1);
             sum += std::abs(found.point.norm() - 1);

@@ -60,7 +60,8 @@ TEST_CASE("values at the vertices that are linear between them give a plane exac
     // A box whose faces are planes of the function near them; its edges are as the mesh rounds them.
     const auto box = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).lpNorm<Eigen::Infinity>() - 0.27; };
     std::vector<double> values;
-    for (std::uint32_t i = 0; i < mesh.complex().vertex_capacity(); ++i) values.push_back(box(mesh.position(VertexId(i))));
+    for (std::uint32_t i = 0; i < mesh.complex().vertex_capacity(); ++i)
+        values.push_back(box(mesh.position(VertexId(i))));
     fit(mesh, values);
     CHECK(validate(mesh).empty());
     std::size_t on_faces = 0, all = 0;
