@@ -35,6 +35,7 @@ TrackedParameters parameters_of(const Options& options, double edge_length) {
     parameters.deform.growth = tracked_growth;
     parameters.deform.seed = static_cast<std::uint64_t>(options.common.seed);
     parameters.domain = scene.domain;
+    parameters.vessel = scene.vessel;
     parameters.conserves_momentum = options.conserves_momentum;
     return parameters;
 }

@@ -67,12 +67,24 @@ Scene sessile() {
     return scene;
 }
 
+// Figure 6.8.
+Scene vessel() {
+    Scene scene{.name = "vessel", .domain = {Point3::Constant(-2.6), Point3::Constant(2.6)}, .edge_length = 0.2};
+    scene.vessel = {.radius = 2};
+    scene.balls = {{.centre = Point3(-1, 0, 0), .radius = 0.7, .velocity = Point3(1, 0, 0)},
+                   {.centre = Point3(1, 0, 0.3), .radius = 0.7, .velocity = Point3(-1, 0, 0)}};
+    scene.gravity = Point3(0, 0, -3);
+    scene.viscosity = 0.02;
+    scene.until = 3;
+    return scene;
+}
+
 struct Named {
     const char* name;
     Scene (*make)();
 };
-constexpr Named scenes[] = {{"droplet", droplet},   {"collide", collide}, {"oblique", oblique},
-                            {"freefall", freefall}, {"tank", tank},       {"sessile", sessile}};
+constexpr Named scenes[] = {{"droplet", droplet}, {"collide", collide}, {"oblique", oblique}, {"freefall", freefall},
+                            {"tank", tank},       {"sessile", sessile}, {"vessel", vessel}};
 
 // Members of an object, each known by its path.
 class Reader {
@@ -101,6 +113,10 @@ public:
             fail(key, "is not a box", "give [[x0, y0, z0], [x1, y1, z1]]");
         value = {parsed_point(json_[key][0], key + "[0]"), parsed_point(json_[key][1], key + "[1]")};
         if (!(value.sizes().minCoeff() > 0)) fail(key, "is empty", "give the lower corner first");
+    }
+    const io::Json* object(const std::string& key) {
+        known_.insert(key);
+        return json_.has(key) ? &json_[key] : nullptr;
     }
     const io::Json* list(const std::string& key) {
         known_.insert(key);
@@ -188,6 +204,13 @@ Scene scene_from_json(const io::Json& json, const std::string& source) {
     double radius = 0;
     reader.number("sessile_radius", radius, positive, "a positive number");
     if (radius > 0) scene.sessile_radius = radius;
+    if (const io::Json* given = reader.object("vessel")) {
+        scene.vessel.emplace();
+        Reader members(*given, source, "vessel");
+        members.point("centre", scene.vessel->centre);
+        members.number("radius", scene.vessel->radius, positive, "a positive number");
+        members.require_known();
+    }
     if (const io::Json* bodies = reader.list("bodies"))
         for (std::size_t i = 0; i < bodies->size(); ++i)
             scene.balls.push_back(ball_from_json((*bodies)[i], source, "bodies[" + std::to_string(i) + "]"));
@@ -206,12 +229,20 @@ void require_consistent(const Scene& scene) {
         throw core::UsageError("sessile_radius: the domain is not half as large again as the drop");
     if (scene.depth && *scene.depth >= scene.domain.sizes().z())
         throw core::UsageError("depth: the tank is not that high");
+    if (scene.vessel) {
+        const Point3 reach = Point3::Constant(1.1 * scene.vessel->radius);
+        if (!scene.domain.contains(Eigen::AlignedBox3d(scene.vessel->centre - reach, scene.vessel->centre + reach)))
+            throw core::UsageError("vessel: it is not inside of the domain, with a tenth of its radius around it");
+        if (scene.balls.empty()) throw core::UsageError("vessel: there are no bodies in it");
+    }
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         const Ball& ball = scene.balls[i];
         const Point3 reach = Point3::Constant(1.5 * ball.radius);
         if (!scene.domain.contains(Eigen::AlignedBox3d(ball.centre - reach, ball.centre + reach)))
             throw core::UsageError(
                 fmt::format("body {} is not inside of the domain, with half of its radius around it", i));
+        if (scene.vessel && (ball.centre - scene.vessel->centre).norm() + 1.02 * ball.radius > scene.vessel->radius)
+            throw core::UsageError(fmt::format("body {} is not inside of the vessel", i));
         for (std::size_t k = 0; k < i; ++k)
             if ((ball.centre - scene.balls[k].centre).norm() <= 1.05 * (ball.radius + scene.balls[k].radius))
                 throw core::UsageError(fmt::format("bodies {} and {} meet", k, i));

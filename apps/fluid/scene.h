@@ -27,6 +27,12 @@ struct Ball {
     double swell = 0;              ///< share of the radius by which the poles in direction z stand out; in (-0.5, 0.5)
 };
 
+/// A hollow solid, filled with fluid and void.
+struct Vessel {
+    Point3 centre = Point3::Zero();
+    double radius = 1;  ///< > 0
+};
+
 struct Scene {
     std::string name;
     Eigen::AlignedBox3d domain = {Point3::Constant(-2), Point3::Constant(2)};
@@ -34,6 +40,7 @@ struct Scene {
     std::vector<Ball> balls;
     std::optional<double> depth;           ///< of a layer on the floor of the domain, which is a tank then; > 0
     std::optional<double> sessile_radius;  ///< of half a ball on the middle of the floor; > 0
+    std::optional<Vessel> vessel;          ///< in which the balls are
     double density = 1;
     double tension = 1;
     double viscosity = 0;

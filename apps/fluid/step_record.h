@@ -31,7 +31,7 @@ struct StepRecord {
 };
 
 struct Event {
-    std::string kind;  ///< "merge", "split", "vanish"
+    std::string kind;  ///< "merge", "split", or the number of parts when it has changed: "2 parts"
     int step = 0;
     double time = 0;
     Point3 place = Point3::Zero();

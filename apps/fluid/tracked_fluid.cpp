@@ -17,7 +17,9 @@ using core::VertexId;
 namespace {
 
 constexpr int fluid_label = 1;
-constexpr double wall_tolerance = 1e-9;  // of the size of the domain
+constexpr double wall_tolerance = 1e-9;    // of the size of the domain
+constexpr double vessel_tolerance = 1e-6;  // of its radius
+constexpr int vessel_wall = 6;             // after the sides of the domain
 
 const Point3 nowhere = Point3::Constant(std::numeric_limits<double>::quiet_NaN());
 
@@ -117,7 +119,7 @@ void TrackedFluid::extract() {
     for (std::size_t i = 0; i < vertices_.size(); ++i) part_[vertices_[i]] = part_of[i];
 }
 
-std::vector<fluid::WallContact<3>> TrackedFluid::contacts() const {
+std::vector<fluid::WallContact<3>> TrackedFluid::contacts(double dt) const {
     const Eigen::AlignedBox3d& box = parameters_.domain;
     const double tolerance = wall_tolerance * box.sizes().maxCoeff();
     std::vector<fluid::WallContact<3>> result;
@@ -129,7 +131,22 @@ std::vector<fluid::WallContact<3>> TrackedFluid::contacts() const {
             if (box.max()[k] - p[k] <= tolerance) result.push_back({i, Point3::Unit(k), 0, 2 * k + 1});
         }
     }
+    if (parameters_.vessel) add_vessel_contacts(dt, result);
     return result;
+}
+
+void TrackedFluid::add_vessel_contacts(double dt, std::vector<fluid::WallContact<3>>& contacts) const {
+    const Vessel& vessel = *parameters_.vessel;
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+        if (!mesh_.complex().is_interface(vertices_[i])) continue;
+        const Point3 arm = fluid_.mesh.positions[i] - vessel.centre;
+        const double gap = vessel.radius - arm.norm();
+        const Point3 normal = arm.normalized();
+        const double approach = (fluid_.velocities[i] + dt * parameters_.flow.fluid.gravity).dot(normal);
+        const bool touches = gap <= vessel_tolerance * vessel.radius;
+        if (dt == 0 ? touches : (touches && approach >= 0) || gap < dt * approach)
+            contacts.push_back({i, normal, dt == 0 ? 0 : gap / dt, vessel_wall});
+    }
 }
 
 void TrackedFluid::require_places(double dt) const {
@@ -154,7 +171,7 @@ TrackedReport TrackedFluid::step(double dt) {
         fluid_ = before;
         for (std::size_t i = 0; i < vertices_.size(); ++i) velocity_[vertices_[i]] = before.velocities[i];
     };
-    report.flow = flow_.update_velocities(fluid_, contacts(), dt);
+    report.flow = flow_.update_velocities(fluid_, contacts(dt), dt);
     try {
         require_places(dt);
     } catch (...) {
@@ -164,7 +181,15 @@ TrackedReport TrackedFluid::step(double dt) {
     lap("solve");
 
     fluid::SimplexMesh<3> advected = fluid_.mesh;
-    for (std::size_t i = 0; i < vertices_.size(); ++i) advected.positions[i] += dt * fluid_.velocities[i];
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+        Point3& place = advected.positions[i];
+        place += dt * fluid_.velocities[i];
+        if (!parameters_.vessel) continue;
+        // A tangent of the vessel leads out of it.
+        const Point3 arm = place - parameters_.vessel->centre;
+        if (arm.norm() > parameters_.vessel->radius)
+            place = parameters_.vessel->centre + parameters_.vessel->radius * arm.normalized();
+    }
     const std::vector<Point3> velocities = fluid_.velocities;
     const auto facets = fluid::facets(advected);
     const fluid::Parts bodies = fluid::bodies<3>(advected, fluid::Elements<3>(fluid_.mesh), facets);
@@ -190,6 +215,7 @@ TrackedReport TrackedFluid::step(double dt) {
         take_back();
         throw;
     }
+    if (parameters_.vessel) bring_back();
     lap("deform");
 
     extract();
@@ -202,6 +228,21 @@ TrackedReport TrackedFluid::step(double dt) {
     for (std::size_t i = 0; i < vertices_.size(); ++i) velocity_[vertices_[i]] = fluid_.velocities[i];
     lap("transfer");
     return report;
+}
+
+// Smoothing and collapses in planes that touch the vessel lead out of it.
+void TrackedFluid::bring_back() {
+    const Vessel& vessel = *parameters_.vessel;
+    const dsc3d::Complex& complex = mesh_.complex();
+    std::vector<std::optional<Point3>> targets(complex.vertex_capacity());
+    for (std::uint32_t i = 0; i < targets.size(); ++i) {
+        const VertexId v(i);
+        if (complex.is_deleted(v) || !complex.is_interface(v)) continue;
+        const Point3 arm = mesh_.position(v) - vessel.centre;
+        if (arm.norm() > (1 + vessel_tolerance) * vessel.radius)
+            targets[i] = vessel.centre + vessel.radius * arm.normalized();
+    }
+    deformer_.step(targets);
 }
 
 // Velocities of vertices that are not where the flow has carried them.

@@ -14,14 +14,13 @@
 #include <utility>
 #include <vector>
 
+#include "apps/fluid/scene.h"
 #include "core/attribute.h"
 #include "dsc3d/deform/deformer.h"
 #include "dsc3d/mesh.h"
 #include "fluid/flow.h"
 
 namespace dsc::fluid_app {
-
-using geometry::Point3;
 
 /// How fast wanted edges grow off the surface, per distance: the interior of the fluid has to be fine enough for its
 /// flow.
@@ -31,7 +30,8 @@ inline constexpr double tracked_growth = 0.15;
 struct TrackedParameters {
     fluid::FlowParameters<3> flow = {};
     dsc3d::DeformParameters deform = {};
-    Eigen::AlignedBox3d domain;      ///< of the mesh; its sides are walls
+    Eigen::AlignedBox3d domain;  ///< of the mesh; its sides are walls
+    std::optional<Vessel> vessel;
     bool conserves_momentum = true;  ///< gives back what the transfer changes
 };
 
@@ -62,7 +62,9 @@ public:
     const fluid::FlowState<3>& fluid() const { return fluid_; }
     const std::vector<core::VertexId>& vertices() const { return vertices_; }  ///< of the fluid, in the mesh
     const fluid::Flow<3>& flow() const { return flow_; }
-    std::vector<fluid::WallContact<3>> contacts() const;
+    /// With the sides of the domain, and with the vessel where the fluid touches it or, left to itself, would go
+    /// through it within dt; there it is free to leave.
+    std::vector<fluid::WallContact<3>> contacts(double dt = 0) const;
     TrackedState state() const;
 
     double longest_step(double longest) const { return flow_.longest_step(fluid_, contacts(), longest); }
@@ -73,6 +75,8 @@ public:
 
 private:
     void extract();
+    void add_vessel_contacts(double dt, std::vector<fluid::WallContact<3>>& contacts) const;
+    void bring_back();
     void require_places(double dt) const;
     std::size_t transfer(const fluid::SimplexMesh<3>& advected, const std::vector<Point3>& velocities);
     void give_back_momentum(const std::vector<fluid::Motion<3>>& before, const std::vector<std::int32_t>& body_before);

@@ -64,16 +64,21 @@ geometry::TetData tets_around(const geometry::SurfaceData& surface, double half_
     return dsc3d::tetrahedralize(surface, box, {.growth = growth}, observer);
 }
 
-SimplexMesh<3> tetrahedral_ball(const geometry::SurfaceData& surface) { return fluid_of(tets_around(surface, 2, 0)); }
+SimplexMesh<3> tetrahedral_ball(const geometry::SurfaceData& surface) { return fluid_of(tets_around(surface, 1.3, 0)); }
 
 double radius_of(const SimplexMesh<3>& mesh) {
     return std::cbrt(3 * Elements<3>(mesh).total_volume() / (4 * std::numbers::pi));
 }
 
-SimplexMesh<3> drop_at_rest(int levels) {
-    SimplexMesh<3> mesh = tetrahedral_ball(root_three_sphere(levels));
-    mesh.positions = equilibrium<3>(mesh.positions, free_surface(mesh));
-    return mesh;
+// Made once for each number of levels.
+const SimplexMesh<3>& drop_at_rest(int levels) {
+    static std::map<int, SimplexMesh<3>> made;
+    const auto [place, is_new] = made.try_emplace(levels);
+    if (is_new) {
+        place->second = tetrahedral_ball(root_three_sphere(levels));
+        place->second.positions = equilibrium<3>(place->second.positions, free_surface(place->second));
+    }
+    return place->second;
 }
 
 Flow<3> water(double viscosity = 0, double compensation = 0, double capillary_share = 0.5, bool second_order = false) {

@@ -121,6 +121,28 @@ TEST_CASE("drops that collide become one, and its volume is that of both", "[flu
     CHECK(dsc3d::validate(fluid.mesh()).empty());
 }
 
+TEST_CASE("fluid stays in its vessel, and comes to rest on its floor", "[fluid][slow]") {
+    Scene scene = named_scene("vessel");
+    scene.edge_length = 0.35;
+    scene.balls = {{.centre = Point3(0, 0, -1), .radius = 0.8, .velocity = Point3(0, 0, -1)}};
+    double edge_length = 0;
+    const TrackedState start = start_of(scene, edge_length);
+    dsc3d::Listener listener;
+    TrackedParameters parameters = parameters_of(scene, edge_length);
+    parameters.vessel = scene.vessel;
+    TrackedFluid fluid(start, parameters, listener);
+    const double volume = fluid::Elements<3>(fluid.fluid().mesh).total_volume();
+    for (int i = 0; i < 25; ++i) {
+        fluid.step(fluid.longest_step(0.03));
+        // Where smoothing moves a vertex in a plane that touches the sphere, by half of an edge at most, it leads out.
+        const double arc = edge_length * edge_length / (8 * 2);
+        for (const Point3& place : fluid.fluid().mesh.positions) CHECK(place.norm() <= 2 + arc);
+    }
+    CHECK(fluid.contacts().size() > 3);
+    CHECK(fluid::Elements<3>(fluid.fluid().mesh).total_volume() == Approx(volume).epsilon(2e-3));
+    CHECK(dsc3d::validate(fluid.mesh()).empty());
+}
+
 TEST_CASE("a step that can't be made leaves everything as it was", "[fluid]") {
     const Scene scene = coarse_drop();
     double edge_length = 0;
