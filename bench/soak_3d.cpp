@@ -34,7 +34,8 @@ using namespace dsc::dsc3d;
 constexpr double spacing = 0.17;
 constexpr double edge_length = 0.11;
 constexpr int steps_per_draw = 50;
-constexpr double scarce = 0.13;         // share of the domain below which a label is inflated
+constexpr double scarce = 0.17;         // share of the domain below which a label is inflated,
+constexpr double urgent = 0.13;         // ... and below which nothing else moves it
 constexpr double least_allowed = 0.10;  // share of the domain that every label has to keep
 constexpr double stride = 0.5;          // largest displacement of a step [edge length]
 constexpr double max_frequency = 2;     // of the noise: its shortest waves are 4.5 edges long
@@ -63,10 +64,10 @@ private:
     int background_;
 };
 
-// A ball of a quarter of the domain; with three labels, of two halves.
+// A ball of a third of the domain; with three labels, of two halves.
 Mesh start_mesh(int labels) {
     Mesh mesh(lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, spacing));
-    const auto ball = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.4; };
+    const auto ball = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.43; };
     fit(mesh, ball, {.inside = 1});
     if (labels == 3) fit(mesh, [&](const Point3& p) { return std::max(p.x() - 0.5, ball(p)); }, {.inside = 2});
     return mesh;
@@ -113,9 +114,11 @@ Targets targets_of(const Mesh& mesh, const motion::VelocityField<3>& noise,
     for (Eigen::Vector3d& w : way) w *= stride * edge_length / largest;
     for (const LabelStatistics& label : labels) {
         if (label.volume > scarce) continue;
+        const double share = std::min(1.0, (scarce - label.volume) / (scarce - urgent));
         const std::vector<Eigen::Vector3d> normals = normals_of(mesh, label.label);
         for (std::size_t i = 0; i < way.size(); ++i)
-            if (!normals[i].isZero(0)) way[i] = 0.5 * (way[i] + stride * edge_length * normals[i].normalized());
+            if (!normals[i].isZero(0))
+                way[i] = (1 - share) * way[i] + share * stride * edge_length * normals[i].normalized();
     }
     Targets targets(complex.vertex_capacity());
     for (std::uint32_t i = 0; i < targets.size(); ++i) {

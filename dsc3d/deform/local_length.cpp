@@ -32,28 +32,38 @@ LocalLength::LocalLength(const Mesh& mesh, double on_interface, double growth)
 }
 
 void LocalLength::update(RatedMesh& mesh, std::span<const VertexId> vertices) {
-    const Complex& complex = mesh.complex();
-    const auto allowed = [&](VertexId v) {
-        double length = std::numeric_limits<double>::infinity();
-        for (const TetId t : mesh.walker().star(v))
-            for (const VertexId u : complex.vertices(t))
-                if (u != v)
-                    length = std::min(length, length_[u] + growth_ * (mesh.position(u) - mesh.position(v)).norm());
-        return length;
-    };
-    for (const VertexId v : vertices)
-        if (!complex.is_interface(v)) length_[v] = allowed(v);
+    gather_followers(mesh, vertices);
+    for (const Follower& follower : followers_) length_[follower.vertex] = allowed(follower);
     // Those that come early may have followed neighbours that have become smaller since.
     for (bool has_changed = true; has_changed;) {
         has_changed = false;
-        for (const VertexId v : vertices) {
-            if (complex.is_interface(v)) continue;
-            const double length = allowed(v);
-            if (length >= length_[v]) continue;
-            length_[v] = length;
+        for (const Follower& follower : followers_) {
+            const double length = allowed(follower);
+            if (length >= length_[follower.vertex]) continue;
+            length_[follower.vertex] = length;
             has_changed = true;
         }
     }
+}
+
+void LocalLength::gather_followers(RatedMesh& mesh, std::span<const VertexId> vertices) {
+    followers_.clear();
+    neighbours_.clear();
+    for (const VertexId v : vertices) {
+        if (mesh.complex().is_interface(v)) continue;
+        const std::size_t begin = neighbours_.size();
+        mesh.walker().star(v, around_);
+        for (const VertexId u : around_)
+            neighbours_.push_back({u, growth_ * (mesh.position(u) - mesh.position(v)).norm()});
+        followers_.push_back({v, begin, neighbours_.size()});
+    }
+}
+
+double LocalLength::allowed(const Follower& follower) const {
+    double length = std::numeric_limits<double>::infinity();
+    for (std::size_t i = follower.begin; i < follower.end; ++i)
+        length = std::min(length, length_[neighbours_[i].vertex] + neighbours_[i].rise);
+    return length;
 }
 
 }  // namespace dsc::dsc3d

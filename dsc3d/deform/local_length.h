@@ -7,6 +7,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/attribute.h"
 #include "dsc3d/operations/rated_mesh.h"
@@ -24,8 +25,24 @@ public:
     void update(RatedMesh& mesh, std::span<const VertexId> vertices);
 
 private:
+    /// A vertex off the interface with its neighbours, and what it may be longer than each of them.
+    struct Follower {
+        VertexId vertex;
+        std::size_t begin, end;
+    };
+    struct Neighbour {
+        VertexId vertex;
+        double rise;
+    };
+
+    void gather_followers(RatedMesh& mesh, std::span<const VertexId> vertices);
+    double allowed(const Follower& follower) const;
+
     double growth_;
     core::Attribute<VertexId, double> length_;
+    std::vector<Follower> followers_;
+    std::vector<Neighbour> neighbours_;
+    std::vector<VertexId> around_;
 };
 
 }  // namespace dsc::dsc3d
