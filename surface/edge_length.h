@@ -9,7 +9,7 @@ struct EdgeLengthParameters {
     /// Longer edges are split [wanted length]. > 0.
     double split_above = 1.3;
     /// Shorter edges are collapsed [wanted length]. In [0, split_above / 2].
-    double collapse_below = 0.4;
+    double collapse_below = 0.45;
 
     /// Throws core::UsageError that names the first field out of its range.
     void validate() const;

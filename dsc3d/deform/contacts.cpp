@@ -45,6 +45,28 @@ bool Contacts::run(PassContext& context, int substep, double distance) {
     for (const TetId t : context.region.tets())
         if (!complex.is_deleted(t) && may_give_way(context, t)) lift_foot(context, t, substep);
     core::sort_unique(touched_);
+    touched_in_step_.insert(touched_in_step_.end(), touched_.begin(), touched_.end());
+    return !touched_.empty();
+}
+
+bool Contacts::open_leftovers(PassContext& context) {
+    const Complex& complex = context.complex();
+    core::sort_unique(touched_in_step_);
+    ++step_;
+    touched_.clear();
+    for (const VertexId v : touched_in_step_) {
+        if (complex.is_deleted(v)) continue;
+        std::vector<int> labels;
+        for (const TetId t : context.mesh.walker().star(v)) labels.push_back(complex.label(t));
+        core::sort_unique(labels);
+        // What has won there last goes on winning, if that opens the pinch.
+        const int last = claim_[v].winner;
+        std::stable_partition(labels.begin(), labels.end(), [&](int label) { return label == last; });
+        for (const int winner : labels)
+            for (const int loser : labels)
+                if (winner != loser) open_pinches_at(context, v, winner, loser);
+    }
+    core::sort_unique(touched_);
     return !touched_.empty();
 }
 
@@ -123,13 +145,15 @@ void Contacts::fill_notches(PassContext& context, std::size_t first_touched, int
 }
 
 void Contacts::open_pinches(PassContext& context, std::size_t first_touched, int winner, int loser) {
-    for (std::size_t i = first_touched; i < touched_.size(); ++i) {
-        for (;;) {
-            const std::span<const TetId> more = pinches_.find(context, touched_[i], winner, loser);
-            const auto may_go = [&](TetId t) { return may_give_way(context, t); };
-            if (more.empty() || !std::all_of(more.begin(), more.end(), may_go)) break;
-            for (const TetId t : more) give(context, t, winner);
-        }
+    for (std::size_t i = first_touched; i < touched_.size(); ++i) open_pinches_at(context, touched_[i], winner, loser);
+}
+
+void Contacts::open_pinches_at(PassContext& context, VertexId v, int winner, int loser) {
+    for (;;) {
+        const std::span<const TetId> more = pinches_.find(context, v, winner, loser);
+        const auto may_go = [&](TetId t) { return may_give_way(context, t); };
+        if (more.empty() || !std::all_of(more.begin(), more.end(), may_go)) break;
+        for (const TetId t : more) give(context, t, winner);
     }
 }
 

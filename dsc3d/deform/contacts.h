@@ -22,9 +22,16 @@ public:
     explicit Contacts(const Mesh& mesh);
 
     /// From here on labels may change in any direction again.
-    void begin_step() { ++step_; }
+    void begin_step() {
+        ++step_;
+        touched_in_step_.clear();
+    }
     /// Treats the contacts in the region, where sheets come closer than the distance. True when a label was changed.
     bool run(PassContext& context, int substep, double distance);
+    /// Opens what pinches are left at the vertices of everything that has changed its label in this step: those that a
+    /// label could not open since it had lost there what another one had won. Afterwards touched() are the vertices of
+    /// what has changed. True when a label was changed.
+    bool open_leftovers(PassContext& context);
     /// The vertices of what has changed its label in the last run, ascending.
     std::span<const VertexId> touched() const { return touched_; }
 
@@ -45,6 +52,7 @@ private:
     void gather_gap(PassContext& context, TetId seed);
     std::optional<int> winner(const PassContext& context) const;
     void open_pinches(PassContext& context, std::size_t first_touched, int winner, int loser);
+    void open_pinches_at(PassContext& context, VertexId v, int winner, int loser);
     void fill_notches(PassContext& context, std::size_t first_touched, int winner, int loser);
     void absorb_crumbs(PassContext& context, int loser);
     void give(PassContext& context, TetId t, int winner);
@@ -57,6 +65,7 @@ private:
     std::vector<std::pair<TetId, int>> seeds_;  ///< with the label to be squeezed away
     std::vector<TetId> gap_;
     std::vector<VertexId> touched_;
+    std::vector<VertexId> touched_in_step_;
     int characteristic_change_ = 0;  ///< of the interface: V - E + F
 };
 

@@ -95,6 +95,7 @@ StepReport Deformer::step(std::span<const std::optional<Point3>> targets, const 
         take_substep(context, substep, wanted);
         wait_for_late_ones(context, substep, wanted);
     }
+    open_leftovers(context);
     report_unfinished(context);
     if (report.substeps > 0) finish(context);
     return report;
@@ -138,9 +139,10 @@ void Deformer::wait_for_late_ones(PassContext& context, int substep, int wanted)
 }
 
 // What has no way to go is not looked at, so that it stays as it is to the last bit, and what is around it too.
+// What is only wanted off its wall has a way too: along it, as its sheets take it.
 void Deformer::release_resting_ones(const Path& path) {
     std::erase_if(moving_, [&](VertexId v) {
-        if (length_of_way(v, path) != 0) return false;
+        if (length_of_way(v, path) != 0 || wanted_[v] != mesh_.position(v)) return false;
         release(v);
         return true;
     });
@@ -277,24 +279,39 @@ void Deformer::maintain(PassContext& context) {
     if (parameters_.controls_detail) detail_.collapse_short_edges(context);
 }
 
-// What has changed its label has changed what moves: those vertices end their motion for this step.
 void Deformer::treat_contacts(PassContext& context, int substep, double distance) {
     std::vector<TetId> others;
     while (contacts_.run(context, substep, distance)) {
         others.insert(others.end(), region_.tets().begin(), region_.tets().end());
-        region_.clear();
-        for (const VertexId v : contacts_.touched()) {
-            region_.add_star(rated_, v);
-            if (is_moving_[v] == 0) continue;
-            release(v);
-            stopped_.push_back(v);
-        }
-        region_.settle(mesh_.complex());
-        maintain(context);
+        end_motion_at_contacts(context);
     }
     region_.add(others);
     region_.settle(mesh_.complex());
     std::erase_if(moving_, [&](VertexId v) { return is_moving_[v] == 0; });
+}
+
+// At the end of the step, when no more contacts come.
+void Deformer::open_leftovers(PassContext& context) {
+    if (!contacts_.open_leftovers(context)) return;
+    const std::vector<TetId> others(region_.tets().begin(), region_.tets().end());
+    end_motion_at_contacts(context);
+    region_.add(others);
+    region_.settle(mesh_.complex());
+    std::erase_if(moving_, [&](VertexId v) { return is_moving_[v] == 0; });
+}
+
+// What has changed its label has changed what moves: those vertices end their motion for this step. Afterwards the
+// region is their surroundings.
+void Deformer::end_motion_at_contacts(PassContext& context) {
+    region_.clear();
+    for (const VertexId v : contacts_.touched()) {
+        region_.add_star(rated_, v);
+        if (is_moving_[v] == 0) continue;
+        release(v);
+        stopped_.push_back(v);
+    }
+    region_.settle(mesh_.complex());
+    maintain(context);
 }
 
 void Deformer::report_unfinished(PassContext& context) {

@@ -84,6 +84,8 @@ private:
     void maintain(PassContext& context);
     void finish(PassContext& context);
     void treat_contacts(PassContext& context, int substep, double distance);
+    void open_leftovers(PassContext& context);
+    void end_motion_at_contacts(PassContext& context);
     void report_unfinished(PassContext& context);
     bool is_held(PassContext& context, VertexId v);
 

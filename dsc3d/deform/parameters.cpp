@@ -45,6 +45,7 @@ void DeformParameters::validate() const {
     require(degenerate_edge >= 0 && degenerate_edge < 0.5, "degenerate_edge", "in [0, 0.5)");
     require(degenerate_height >= 0 && degenerate_height < 0.5, "degenerate_height", "in [0, 0.5)");
     interface_lengths.validate();
+    contact_line_lengths.validate();
     interface_split.validate();
     interface_collapse.validate();
     interface_flip.validate();

@@ -110,6 +110,8 @@ struct DeformParameters {
     double degenerate_edge = 0.3;
     double degenerate_height = 0.1;
     surface::EdgeLengthParameters interface_lengths = {};
+    /// Along contact lines, whose spacing the motion of the line is taken from: more even than elsewhere.
+    surface::EdgeLengthParameters contact_line_lengths = {.split_above = 1.4, .collapse_below = 0.6};
     surface::SplitParameters interface_split = {};
     surface::CollapseParameters interface_collapse = {};
     surface::FlipParameters interface_flip = {};

@@ -67,7 +67,7 @@ void RimControl::collapse_short_edges(PassContext& context, std::span<const Edge
     const Complex& complex = context.complex();
     const auto is_short = [&](EdgeId e) {
         return is_at_wall(complex, e) &&
-               surface::is_too_short(context.relative_length(e), context.parameters.interface_lengths);
+               surface::is_too_short(context.relative_length(e), context.parameters.contact_line_lengths);
     };
     std::vector<std::pair<double, EdgeId>> edges;
     for (const EdgeId e : candidates)
@@ -141,7 +141,7 @@ void RimControl::split_long_edges(PassContext& context, std::span<const EdgeId> 
     for (const EdgeId e : candidates) {
         if (!is_at_wall(complex, e)) continue;
         const double length = context.relative_length(e);
-        if (surface::is_too_long(length, context.parameters.interface_lengths)) edges.emplace_back(-length, e);
+        if (surface::is_too_long(length, context.parameters.contact_line_lengths)) edges.emplace_back(-length, e);
     }
     std::sort(edges.begin(), edges.end());
     for (const auto& [length, e] : edges) {
