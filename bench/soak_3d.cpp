@@ -64,10 +64,10 @@ private:
     int background_;
 };
 
-// A ball of a third of the domain; with three labels, of two halves.
+// A ball of a quarter of the domain; with three labels, of two halves.
 Mesh start_mesh(int labels) {
     Mesh mesh(lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, spacing));
-    const auto ball = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.43; };
+    const auto ball = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.4; };
     fit(mesh, ball, {.inside = 1});
     if (labels == 3) fit(mesh, [&](const Point3& p) { return std::max(p.x() - 0.5, ball(p)); }, {.inside = 2});
     return mesh;
@@ -123,8 +123,11 @@ Targets targets_of(const Mesh& mesh, const motion::VelocityField<3>& noise,
     Targets targets(complex.vertex_capacity());
     for (std::uint32_t i = 0; i < targets.size(); ++i) {
         const VertexId v(i);
-        if (!complex.is_deleted(v) && complex.is_interface(v) && !complex.is_boundary(v))
-            targets[i] = mesh.position(v) + way[i];
+        if (complex.is_deleted(v) || !complex.is_interface(v) || complex.is_boundary(v)) continue;
+        const Point3& p = mesh.position(v);
+        // What comes to a wall rests there, half an edge length in front: walls are not what is soaked.
+        const double to_wall = std::min(p.minCoeff(), (Point3::Ones() - p).minCoeff()) / edge_length;
+        targets[i] = p + std::clamp(to_wall - 0.5, 0.0, 1.0) * way[i];
     }
     return targets;
 }
