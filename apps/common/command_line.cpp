@@ -87,6 +87,9 @@ struct CommandLine::Implementation {
         const std::optional<std::string>* path;
         bool is_folder;
     };
+    struct Input {
+        std::string option, path;
+    };
 
     // Registers an option that takes one text, which `take` converts and stores.
     CLI::Option* add(const std::string& names, const std::string& help, const std::string& type,
@@ -121,8 +124,19 @@ struct CommandLine::Implementation {
         });
     }
 
+    CLI::Option* add_input(const std::string& names, const std::string& help,
+                           std::function<void(const std::string&)> take) {
+        return add(names, help, "FILE",
+                   [this, take = std::move(take)](const std::string& option, const std::string& text) {
+                       if (text.empty()) reject(option, text, "a path");
+                       inputs.push_back({option, text});
+                       take(text);
+                   });
+    }
+
     void check_alternatives() const;
     void judge_output_kind();
+    void check_inputs_are_kept() const;
     void check_outputs() const;
 
     std::string name;
@@ -130,7 +144,9 @@ struct CommandLine::Implementation {
     std::string heading = "Options";
     CommonOptions common;
     std::string folder_option;
+    bool may_replace_input = false;
     std::vector<Alternatives> alternatives;
+    std::vector<Input> inputs;  ///< those that are given
     std::vector<Output> outputs;
 };
 
@@ -145,6 +161,7 @@ CommandLine::CommandLine(const std::string& program, const std::string& descript
                "\n\nExit code: 0 done; 1 ran but failed or was stopped; 2 usage or bad input.");
     heading("Common options");
     implementation_->folder_option = common.folder_option;
+    implementation_->may_replace_input = common.may_replace_input;
     if (common.has_output) {
         if (common.output_is_folder) {
             output_folder("-o,--output", options.output, common.output);
@@ -227,12 +244,11 @@ void CommandLine::choice(const std::string& names, std::optional<std::string>& v
 }
 
 void CommandLine::input_file(const std::string& names, std::optional<std::string>& value, const std::string& help) {
-    implementation_->add_path(names, value, help, "FILE");
+    implementation_->add_input(names, help, [&value](const std::string& given) { value = given; });
 }
 
 void CommandLine::input_file(const std::string& names, std::string& value, const std::string& help) {
-    implementation_->add(names, help, "FILE", [&value](const std::string&, const std::string& given) { value = given; })
-        ->required();
+    implementation_->add_input(names, help, [&value](const std::string& given) { value = given; })->required();
 }
 
 void CommandLine::output_file(const std::string& names, std::optional<std::string>& value, const std::string& help) {
@@ -266,7 +282,18 @@ void CommandLine::Implementation::judge_output_kind() {
         if (output.path == &common.output) output.is_folder = true;
 }
 
+void CommandLine::Implementation::check_inputs_are_kept() const {
+    for (const Output& output : outputs) {
+        if (!*output.path || output.is_folder || (may_replace_input && output.path == &common.output)) continue;
+        for (const Input& input : inputs)
+            if (plain_path(**output.path) == plain_path(input.path))
+                throw core::UsageError(output.option + " would replace the input \"" + input.path +
+                                       "\"; choose another path");
+    }
+}
+
 void CommandLine::Implementation::check_outputs() const {
+    check_inputs_are_kept();
     for (auto first = outputs.begin(); first != outputs.end(); ++first) {
         if (!*first->path) continue;
         for (auto second = std::next(first); second != outputs.end(); ++second) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line of a program: its options with their checks, and the flags all programs share.
 // Guarantee: parse() either fills every variable or throws core::UsageError or core::InputError naming the option; a
-// number is always finite and in its range; no two outputs have the same path and each can be written to (no file is
-// touched yet, a missing output folder is created).
+// number is always finite and in its range; no output has the path of another or of an input, and each can be written
+// to (no file is touched yet, a missing output folder is created).
 //
 //     apps::CommandLine line("cutlocus", "Cut locus of a point", "cutlocus --torus elliptic --lambda 2 -o locus.csv");
 //     double lambda = 1;
@@ -45,6 +45,7 @@ struct CommonHelp {
     bool has_output = true;
     bool output_is_folder = false;
     std::string folder_option = {};  ///< an option ("--points") with which -o is a folder instead of a file
+    bool may_replace_input = false;  ///< -o may name an input: the result is a better version of it
 };
 
 class CommandLine {

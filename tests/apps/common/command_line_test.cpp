@@ -20,12 +20,13 @@ struct Options {
     std::string torus = "circular";
     std::optional<std::string> metric;
     bool is_exact = false;
+    std::optional<std::string> points;
     std::optional<std::string> fronts;
     apps::CommonOptions common;
     io::Json given;
 
-    explicit Options(std::vector<const char*> arguments) {
-        CommandLine line("test", "Test", "test --lambda 2");
+    explicit Options(std::vector<const char*> arguments, const apps::CommonHelp& help = {}) {
+        CommandLine line("test", "Test", "test --lambda 2", help);
         line.number("--lambda", lambda, "height", {.above = 0});
         line.number("--spacing", spacing, "spacing");
         line.pair("--point", point, "place");
@@ -33,6 +34,7 @@ struct Options {
         line.choice("--torus", torus, {"circular", "elliptic"}, "surface");
         line.text("--metric", metric, "metric");
         line.flag("--exact", is_exact, "exact");
+        line.input_file("--points", points, "points");
         line.output_folder("--fronts", fronts, "fronts");
         line.alternatives({"--torus", "--metric"}, false);
         arguments.insert(arguments.begin(), "test");
@@ -92,4 +94,19 @@ TEST_CASE("outputs are probed before anything runs") {
     CHECK(folder.content().empty());
     CHECK_NOTHROW(Options({"-o", a.c_str(), "--fronts", fronts.c_str()}));
     CHECK(folder.content() == std::vector<std::string>{"fronts"});
+}
+
+TEST_CASE("an input is never replaced, except where that is meant") {
+    const tests::TemporaryFolder folder;
+    const std::string input = (folder / "a.xyz").string();
+    const std::string same = (folder / "./a.xyz").string();
+    const std::string other = (folder / "b.xyz").string();
+    CHECK_THROWS_WITH(Options({"--points", input.c_str(), "-o", same.c_str()}),
+                      Catch::StartsWith("--output would replace the input"));
+    CHECK_THROWS_WITH(Options({"--json", same.c_str(), "--points", input.c_str()}),
+                      Catch::StartsWith("--json would replace the input"));
+    CHECK_NOTHROW(Options({"--points", input.c_str(), "-o", other.c_str()}));
+    CHECK_NOTHROW(Options({"--points", input.c_str(), "-o", same.c_str()}, {.may_replace_input = true}));
+    CHECK_THROWS_AS(Options({"--points", input.c_str(), "--json", same.c_str()}, {.may_replace_input = true}),
+                    core::UsageError);
 }
