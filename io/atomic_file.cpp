@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <sstream>
 #include <utility>
 
 #include "core/errors.h"
@@ -57,8 +58,9 @@ fs::path follow_links(const fs::path& path) {
 // A name beside the target that no other thread or process uses.
 fs::path name_aside(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
-    return target.parent_path() / ("." + target.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) +
-                                   "-" + std::to_string(counter++) + ".part");
+    std::ostringstream name;
+    name << '.' << target.filename().string().substr(0, 200) << '.' << ::getpid() << '-' << counter++ << ".part";
+    return target.parent_path() / name.str();
 }
 
 }  // namespace

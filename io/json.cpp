@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/errors.h"
 #include "io/number.h"
@@ -68,8 +69,19 @@ Json Json::object(Object members) {
 }
 
 Json Json::parse(std::string_view text, const std::string& source) {
+    // Of two members with the same name the parser would silently keep one.
+    std::vector<std::set<std::string>> open_objects;
+    const auto require_unique_names = [&](int, nlohmann::ordered_json::parse_event_t event,
+                                          const nlohmann::ordered_json& value) {
+        using Event = nlohmann::ordered_json::parse_event_t;
+        if (event == Event::object_start) open_objects.emplace_back();
+        if (event == Event::object_end) open_objects.pop_back();
+        if (event == Event::key && !open_objects.back().insert(value.get<std::string>()).second)
+            throw core::InputError(source, "\"" + value.get<std::string>() + "\"", "is there twice", "leave one out");
+        return true;
+    };
     try {
-        return converted(nlohmann::ordered_json::parse(text));
+        return converted(nlohmann::ordered_json::parse(text, require_unique_names));
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t offset = std::min(error.byte, text.size());
         const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n') + 1;

@@ -76,6 +76,8 @@ TEST_CASE("wrong JSON and wrong kinds of values are refused") {
         CHECK_THROWS_AS(Json::parse(text), dsc::core::InputError);
     }
     CHECK_THROWS_WITH(Json::parse("{\n\"a\": x}", "r.json"), Catch::Contains("r.json: line 2"));
+    CHECK_THROWS_WITH(Json::parse(R"([{"a": 1}, {"a": 1, "b": {"a": 2}, "a": 3}])", "r.json"),
+                      Catch::Contains("\"a\": is there twice"));
     const Json value = Json::object({{"a", 1}});
     CHECK_THROWS_AS(value["b"], dsc::core::InputError);
     CHECK_THROWS_AS(value["a"].string(), dsc::core::InputError);
