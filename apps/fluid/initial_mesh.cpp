@@ -8,6 +8,7 @@
 
 #include "dsc3d/generate/shapes.h"
 #include "dsc3d/generate/tetrahedralize.h"
+#include "dsc3d/generate/vessel.h"
 #include "fluid/equilibrium.h"
 
 namespace dsc::fluid_app {
@@ -41,6 +42,16 @@ double mean_edge_length(const geometry::SurfaceData& surface) {
     return sum / 3 / static_cast<double>(surface.triangles.size());
 }
 
+geometry::TetData in_vessel(const geometry::SurfaceData& surface, const Vessel& vessel, double edge_length,
+                            core::Observer& observer) {
+    geometry::InterfaceData interface { .surface = surface };
+    interface.sides.assign(surface.triangles.size(), {0, 1});
+    // As fine as the fluid that will touch it: splitting edges of the wall later would change the volume inside.
+    const geometry::SurfaceData wall =
+        dsc3d::icosphere(vessel.centre, vessel.radius, dsc3d::icosphere_frequency(vessel.radius, edge_length));
+    return dsc3d::tetrahedralize_within(interface, wall, {.growth = tet_growth}, observer);
+}
+
 InitialMesh drops(const Scene& scene, core::Observer& observer) {
     geometry::SurfaceData surface;
     for (const Ball& ball : scene.balls) {
@@ -50,7 +61,8 @@ InitialMesh drops(const Scene& scene, core::Observer& observer) {
         for (const auto& [a, b, c] : part.triangles) surface.triangles.push_back({a + first, b + first, c + first});
     }
     InitialMesh mesh{.edge_length = mean_edge_length(surface)};
-    mesh.tets = dsc3d::tetrahedralize(surface, scene.domain, {.growth = tet_growth}, observer);
+    mesh.tets = scene.vessel ? in_vessel(surface, *scene.vessel, mesh.edge_length, observer)
+                             : dsc3d::tetrahedralize(surface, scene.domain, {.growth = tet_growth}, observer);
     mesh.velocities.assign(mesh.tets.vertices.size(), Point3::Zero());
     for (std::size_t t = 0; t < mesh.tets.tets.size(); ++t) {
         if (mesh.tets.label(t) != 1) continue;

@@ -21,8 +21,8 @@ namespace dsc::fluid_app {
 namespace {
 
 TrackedParameters parameters_of(const Options& options, double edge_length) {
-    TrackedParameters parameters;
     const Scene& scene = options.scene;
+    TrackedParameters parameters{.container = Container(scene)};
     fluid::FlowParameters<3>& flow = parameters.flow;
     flow.fluid.phases = {{.density = scene.density, .viscosity = scene.viscosity}};
     flow.fluid.gravity = scene.gravity;
@@ -34,8 +34,6 @@ TrackedParameters parameters_of(const Options& options, double edge_length) {
     parameters.deform.edge_length = edge_length;
     parameters.deform.growth = tracked_growth;
     parameters.deform.seed = static_cast<std::uint64_t>(options.common.seed);
-    parameters.domain = scene.domain;
-    parameters.vessel = scene.vessel;
     parameters.conserves_momentum = options.conserves_momentum;
     return parameters;
 }

@@ -93,11 +93,13 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     if (!options.common.output) throw core::UsageError("-o DIR is needed");
     options.folder = *options.common.output;
     if (options.is_resumed) return options;
-    if (file.has_value() == name.has_value())
-        throw core::UsageError("a scene is needed, as a file or by --scene; see fluid --help");
+    if (file && name) throw core::UsageError("SCENE and --scene can't both be given");
+    if (!file && !name) throw core::UsageError("a scene is needed, as a file or by --scene; see fluid --help");
+    if (options.capillary_share > 1 && !options.has_second_order_tension)
+        throw core::UsageError("--capillary-share above 1 is stable with --second-order only");
     options.scene = name ? named_scene(*name) : scene_from_json(io::Json::parse(io::read_file(*file), *file), *file);
     override_scene(overrides, options.scene);
-    require_consistent(options.scene);
+    require_consistent(options.scene, file.value_or("scene " + options.scene.name));
     options.conserves_momentum = !keeps_transfer;
     options.run.until = options.scene.until;
     if (dt) options.run.dt = parsed_step(*dt);

@@ -15,6 +15,9 @@ namespace dsc::fluid_app {
 
 namespace {
 
+constexpr double cells_per_cubic_edge = 6;
+constexpr double most_cells = 2e7;  // some 20 GB with the matrices
+
 Scene droplet() {
     Scene scene{.name = "droplet"};
     scene.balls = {{.swell = 0.05}};
@@ -69,7 +72,7 @@ Scene sessile() {
 
 // Figure 6.8.
 Scene vessel() {
-    Scene scene{.name = "vessel", .domain = {Point3::Constant(-2.6), Point3::Constant(2.6)}, .edge_length = 0.2};
+    Scene scene{.name = "vessel", .edge_length = 0.2};
     scene.vessel = {.radius = 2};
     scene.balls = {{.centre = Point3(-1, 0, 0), .radius = 0.7, .velocity = Point3(1, 0, 0)},
                    {.centre = Point3(1, 0, 0.3), .radius = 0.7, .velocity = Point3(-1, 0, 0)}};
@@ -171,6 +174,25 @@ Ball ball_from_json(const io::Json& json, const std::string& source, const std::
 
 }  // namespace
 
+namespace {
+
+/// Edges of a scene of uniform cells, and of the fluid in one that is graded, fill this volume.
+double finely_meshed_volume(const Scene& scene) {
+    if (scene.depth || scene.sessile_radius) return scene.domain.volume();
+    double volume = 0;
+    for (const Ball& ball : scene.balls) volume += 4 * EIGEN_PI / 3 * std::pow(ball.radius, 3);
+    return volume;
+}
+
+void require_size(const Scene& scene, const std::string& source) {
+    const double cells = cells_per_cubic_edge * finely_meshed_volume(scene) / std::pow(scene.edge_length, 3);
+    if (!(cells <= most_cells))
+        throw core::InputError(source, "edge_length", fmt::format("would take about {:.2g} tetrahedra", cells),
+                               "make it larger, or the scene smaller");
+}
+
+}  // namespace
+
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
     for (const Named& scene : scenes) names.emplace_back(scene.name);
@@ -210,6 +232,9 @@ Scene scene_from_json(const io::Json& json, const std::string& source) {
         members.point("centre", scene.vessel->centre);
         members.number("radius", scene.vessel->radius, positive, "a positive number");
         members.require_known();
+        if (json.has("domain")) throw core::InputError(source, "domain", "does not go with a vessel", "leave it out");
+        const Point3 reach = Point3::Constant(scene.vessel->radius);
+        scene.domain = {scene.vessel->centre - reach, scene.vessel->centre + reach};
     }
     if (const io::Json* bodies = reader.list("bodies"))
         for (std::size_t i = 0; i < bodies->size(); ++i)
@@ -221,31 +246,30 @@ Scene scene_from_json(const io::Json& json, const std::string& source) {
     return scene;
 }
 
-void require_consistent(const Scene& scene) {
+void require_consistent(const Scene& scene, const std::string& source) {
+    const auto fail = [&](const std::string& where, const std::string& problem, const std::string& cure) {
+        throw core::InputError(source, where, problem, cure);
+    };
     if ((scene.balls.empty() ? 0 : 1) + (scene.depth ? 1 : 0) + (scene.sessile_radius ? 1 : 0) > 1)
-        throw core::UsageError("bodies, the depth of a tank and a sessile drop don't go together yet");
+        fail("", "bodies, the depth of a tank and a sessile drop don't go together yet", "keep one of them");
+    require_size(scene, source);
     if (scene.sessile_radius &&
         1.5 * *scene.sessile_radius > std::min(scene.domain.sizes().head<2>().minCoeff() / 2, scene.domain.sizes().z()))
-        throw core::UsageError("sessile_radius: the domain is not half as large again as the drop");
+        fail("sessile_radius", "the domain is not half as large again as the drop", "make the domain larger");
     if (scene.depth && *scene.depth >= scene.domain.sizes().z())
-        throw core::UsageError("depth: the tank is not that high");
-    if (scene.vessel) {
-        const Point3 reach = Point3::Constant(1.1 * scene.vessel->radius);
-        if (!scene.domain.contains(Eigen::AlignedBox3d(scene.vessel->centre - reach, scene.vessel->centre + reach)))
-            throw core::UsageError("vessel: it is not inside of the domain, with a tenth of its radius around it");
-        if (scene.balls.empty()) throw core::UsageError("vessel: there are no bodies in it");
-    }
+        fail("depth", "the tank is not that high", "make the domain higher");
+    if (scene.vessel && scene.balls.empty()) fail("vessel", "there are no bodies in it", "give bodies");
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         const Ball& ball = scene.balls[i];
         const Point3 reach = Point3::Constant(1.5 * ball.radius);
-        if (!scene.domain.contains(Eigen::AlignedBox3d(ball.centre - reach, ball.centre + reach)))
-            throw core::UsageError(
-                fmt::format("body {} is not inside of the domain, with half of its radius around it", i));
+        const std::string where = fmt::format("bodies[{}]", i);
+        if (!scene.vessel && !scene.domain.contains(Eigen::AlignedBox3d(ball.centre - reach, ball.centre + reach)))
+            fail(where, "is not inside of the domain, with half of its radius around it", "make the domain larger");
         if (scene.vessel && (ball.centre - scene.vessel->centre).norm() + 1.02 * ball.radius > scene.vessel->radius)
-            throw core::UsageError(fmt::format("body {} is not inside of the vessel", i));
+            fail(where, "is not inside of the vessel", "move it, or make the vessel larger");
         for (std::size_t k = 0; k < i; ++k)
             if ((ball.centre - scene.balls[k].centre).norm() <= 1.05 * (ball.radius + scene.balls[k].radius))
-                throw core::UsageError(fmt::format("bodies {} and {} meet", k, i));
+                fail(where, fmt::format("meets bodies[{}]", k), "move them apart");
     }
 }
 

@@ -27,7 +27,7 @@ struct Ball {
     double swell = 0;              ///< share of the radius by which the poles in direction z stand out; in (-0.5, 0.5)
 };
 
-/// A hollow solid, filled with fluid and void.
+/// A hollow solid, filled with fluid and void: it is the domain, instead of a box.
 struct Vessel {
     Point3 centre = Point3::Zero();
     double radius = 1;  ///< > 0
@@ -58,7 +58,8 @@ Scene named_scene(const std::string& name);
 /// type or is out of its range.
 Scene scene_from_json(const io::Json& json, const std::string& source);
 
-/// Throws core::UsageError when bodies are not in the domain, or meet.
-void require_consistent(const Scene& scene);
+/// Throws core::InputError, which names `source` and the member, when bodies are not in the domain, or meet, or would
+/// take more cells than can be had.
+void require_consistent(const Scene& scene, const std::string& source);
 
 }  // namespace dsc::fluid_app

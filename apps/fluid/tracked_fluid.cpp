@@ -17,9 +17,7 @@ using core::VertexId;
 namespace {
 
 constexpr int fluid_label = 1;
-constexpr double wall_tolerance = 1e-9;    // of the size of the domain
-constexpr double vessel_tolerance = 1e-6;  // of its radius
-constexpr int vessel_wall = 6;             // after the sides of the domain
+constexpr int most_rounds = 8;  // of solving anew against walls
 
 const Point3 nowhere = Point3::Constant(std::numeric_limits<double>::quiet_NaN());
 
@@ -43,7 +41,7 @@ std::vector<fluid::Motion<3>> motions(const fluid::SimplexMesh<3>& mesh, std::sp
 TrackedFluid::TrackedFluid(const TrackedState& state, const TrackedParameters& parameters, dsc3d::Listener& listener)
     : parameters_(parameters),
       mesh_(state.tets),
-      deformer_(mesh_, parameters.deform, listener),
+      deformer_(mesh_, parameters.deform, listener, parameters.container.walls()),
       flow_(parameters.flow),
       velocity_(mesh_.complex().vertex_attributes(), Point3(Point3::Zero())),
       carried_to_(mesh_.complex().vertex_attributes(), nowhere),
@@ -119,43 +117,51 @@ void TrackedFluid::extract() {
     for (std::size_t i = 0; i < vertices_.size(); ++i) part_[vertices_[i]] = part_of[i];
 }
 
-std::vector<fluid::WallContact<3>> TrackedFluid::contacts(double dt) const {
-    const Eigen::AlignedBox3d& box = parameters_.domain;
-    const double tolerance = wall_tolerance * box.sizes().maxCoeff();
+std::vector<fluid::WallContact<3>> TrackedFluid::contacts() const {
     std::vector<fluid::WallContact<3>> result;
-    for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
-        if (!mesh_.complex().is_boundary(vertices_[i])) continue;
-        const Point3& p = fluid_.mesh.positions[i];
-        for (int k = 0; k < 3; ++k) {
-            if (p[k] - box.min()[k] <= tolerance) result.push_back({i, -Point3::Unit(k), 0, 2 * k});
-            if (box.max()[k] - p[k] <= tolerance) result.push_back({i, Point3::Unit(k), 0, 2 * k + 1});
-        }
-    }
-    if (parameters_.vessel) add_vessel_contacts(dt, result);
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i)
+        if (mesh_.complex().is_boundary(vertices_[i]))
+            parameters_.container.add_contacts(i, fluid_.mesh.positions[i], result);
     return result;
 }
 
-void TrackedFluid::add_vessel_contacts(double dt, std::vector<fluid::WallContact<3>>& contacts) const {
-    const Vessel& vessel = *parameters_.vessel;
-    for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
-        if (!mesh_.complex().is_interface(vertices_[i])) continue;
-        const Point3 arm = fluid_.mesh.positions[i] - vessel.centre;
-        const double gap = vessel.radius - arm.norm();
-        const Point3 normal = arm.normalized();
-        const double approach = (fluid_.velocities[i] + dt * parameters_.flow.fluid.gravity).dot(normal);
-        const bool touches = gap <= vessel_tolerance * vessel.radius;
-        if (dt == 0 ? touches : (touches && approach >= 0) || gap < dt * approach)
-            contacts.push_back({i, normal, dt == 0 ? 0 : gap / dt, vessel_wall});
+// Contacts of the surface that at these velocities would go through a wall, which it has not touched before.
+void TrackedFluid::add_arrivals(std::span<const Point3> velocities, double dt,
+                                std::vector<fluid::WallContact<3>>& contacts) const {
+    std::vector<char> is_held(vertices_.size(), 0);
+    for (const auto& contact : contacts) is_held[contact.vertex] = 1;
+    const std::size_t first = contacts.size();
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i)
+        if (is_held[i] == 0 && mesh_.complex().is_interface(vertices_[i]))
+            parameters_.container.add_arrivals(i, fluid_.mesh.positions[i], velocities[i], dt, contacts);
+    for (std::size_t k = first; k < contacts.size(); ++k) {
+        if (contacts[k].speed * dt <= parameters_.deform.edge_length) continue;
+        const Point3& p = fluid_.mesh.positions[contacts[k].vertex];
+        throw core::RunError(
+            fmt::format("the fluid leaves the domain at ({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()));
     }
 }
 
-void TrackedFluid::require_places(double dt) const {
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-        const Point3& p = fluid_.mesh.positions[i];
-        if (parameters_.domain.contains(p + dt * fluid_.velocities[i]) || mesh_.complex().is_boundary(vertices_[i]))
-            continue;
-        throw core::RunError(
-            fmt::format("the fluid leaves the domain at ({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()));
+// Velocities at the end of the step. What would go through a wall is stopped by it and everything solved anew, as long
+// as that sends something else against a wall.
+fluid::FlowReport TrackedFluid::update_velocities(double dt) {
+    const fluid::FlowState<3> before = fluid_;
+    std::vector<fluid::WallContact<3>> walls = contacts();
+    std::vector<Point3> falling = fluid_.velocities;
+    for (Point3& velocity : falling) velocity += dt * parameters_.flow.fluid.gravity;
+    try {
+        add_arrivals(falling, dt, walls);
+        for (int round = 0; round < most_rounds; ++round) {
+            const fluid::FlowReport report = flow_.update_velocities(fluid_, walls, dt);
+            const std::size_t held = walls.size();
+            add_arrivals(fluid_.velocities, dt, walls);
+            if (walls.size() == held) return report;
+            fluid_ = before;
+        }
+        throw core::RunError("the fluid runs into walls in more ways than a step can follow");
+    } catch (...) {
+        fluid_ = before;
+        throw;
     }
 }
 
@@ -167,28 +173,13 @@ TrackedReport TrackedFluid::step(double dt) {
         watch = {};
     };
     const fluid::FlowState<3> before = fluid_;
-    const auto take_back = [&] {
-        fluid_ = before;
-        for (std::size_t i = 0; i < vertices_.size(); ++i) velocity_[vertices_[i]] = before.velocities[i];
-    };
-    report.flow = flow_.update_velocities(fluid_, contacts(dt), dt);
-    try {
-        require_places(dt);
-    } catch (...) {
-        take_back();
-        throw;
-    }
+    report.flow = update_velocities(dt);
     lap("solve");
 
     fluid::SimplexMesh<3> advected = fluid_.mesh;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
         Point3& place = advected.positions[i];
-        place += dt * fluid_.velocities[i];
-        if (!parameters_.vessel) continue;
-        // A tangent of the vessel leads out of it.
-        const Point3 arm = place - parameters_.vessel->centre;
-        if (arm.norm() > parameters_.vessel->radius)
-            place = parameters_.vessel->centre + parameters_.vessel->radius * arm.normalized();
+        place = parameters_.container.kept_inside(place + dt * fluid_.velocities[i]);
     }
     const std::vector<Point3> velocities = fluid_.velocities;
     const auto facets = fluid::facets(advected);
@@ -212,10 +203,10 @@ TrackedReport TrackedFluid::step(double dt) {
     try {
         report.deform = deformer_.step(targets);
     } catch (...) {
-        take_back();
+        fluid_ = before;
+        for (std::size_t i = 0; i < vertices_.size(); ++i) velocity_[vertices_[i]] = before.velocities[i];
         throw;
     }
-    if (parameters_.vessel) bring_back();
     lap("deform");
 
     extract();
@@ -228,21 +219,6 @@ TrackedReport TrackedFluid::step(double dt) {
     for (std::size_t i = 0; i < vertices_.size(); ++i) velocity_[vertices_[i]] = fluid_.velocities[i];
     lap("transfer");
     return report;
-}
-
-// Smoothing and collapses in planes that touch the vessel lead out of it.
-void TrackedFluid::bring_back() {
-    const Vessel& vessel = *parameters_.vessel;
-    const dsc3d::Complex& complex = mesh_.complex();
-    std::vector<std::optional<Point3>> targets(complex.vertex_capacity());
-    for (std::uint32_t i = 0; i < targets.size(); ++i) {
-        const VertexId v(i);
-        if (complex.is_deleted(v) || !complex.is_interface(v)) continue;
-        const Point3 arm = mesh_.position(v) - vessel.centre;
-        if (arm.norm() > (1 + vessel_tolerance) * vessel.radius)
-            targets[i] = vessel.centre + vessel.radius * arm.normalized();
-    }
-    deformer_.step(targets);
 }
 
 // Velocities of vertices that are not where the flow has carried them.

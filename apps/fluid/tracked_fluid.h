@@ -8,13 +8,12 @@
 // same input. Cost: one solve, one deformation of the surface, and a linear rest.
 #pragma once
 
-#include <Eigen/Geometry>
-#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "apps/fluid/scene.h"
+#include "apps/fluid/container.h"
 #include "core/attribute.h"
 #include "dsc3d/deform/deformer.h"
 #include "dsc3d/mesh.h"
@@ -28,10 +27,9 @@ inline constexpr double tracked_growth = 0.15;
 
 /// Cells of label 1 are fluid, others void.
 struct TrackedParameters {
+    Container container;
     fluid::FlowParameters<3> flow = {};
     dsc3d::DeformParameters deform = {};
-    Eigen::AlignedBox3d domain;  ///< of the mesh; its sides are walls
-    std::optional<Vessel> vessel;
     bool conserves_momentum = true;  ///< gives back what the transfer changes
 };
 
@@ -54,30 +52,29 @@ struct TrackedReport {
 
 class TrackedFluid {
 public:
-    /// Precondition: `state.tets` is a mesh of the domain. Parts and volumes may be missing: then they are those of the
-    /// mesh. The listener has to live as long.
+    /// Precondition: `state.tets` is a mesh of the container. Parts and volumes may be missing: then they are those of
+    /// the mesh. The listener has to live as long.
     TrackedFluid(const TrackedState& state, const TrackedParameters& parameters, dsc3d::Listener& listener);
 
     const dsc3d::Mesh& mesh() const { return mesh_; }
     const fluid::FlowState<3>& fluid() const { return fluid_; }
     const std::vector<core::VertexId>& vertices() const { return vertices_; }  ///< of the fluid, in the mesh
     const fluid::Flow<3>& flow() const { return flow_; }
-    /// With the sides of the domain, and with the vessel where the fluid touches it or, left to itself, would go
-    /// through it within dt; there it is free to leave.
-    std::vector<fluid::WallContact<3>> contacts(double dt = 0) const;
+    /// Of vertices of the fluid with the walls they are on.
+    std::vector<fluid::WallContact<3>> contacts() const;
     TrackedState state() const;
 
     double longest_step(double longest) const { return flow_.longest_step(fluid_, contacts(), longest); }
 
     /// Throws core::RunError before anything has moved, when velocities can't be found, or fluid would leave the
-    /// domain.
+    /// container.
     TrackedReport step(double dt);
 
 private:
     void extract();
-    void add_vessel_contacts(double dt, std::vector<fluid::WallContact<3>>& contacts) const;
-    void bring_back();
-    void require_places(double dt) const;
+    void add_arrivals(std::span<const Point3> velocities, double dt,
+                      std::vector<fluid::WallContact<3>>& contacts) const;
+    fluid::FlowReport update_velocities(double dt);
     std::size_t transfer(const fluid::SimplexMesh<3>& advected, const std::vector<Point3>& velocities);
     void give_back_momentum(const std::vector<fluid::Motion<3>>& before, const std::vector<std::int32_t>& body_before);
 

@@ -98,6 +98,8 @@ TEST_CASE("bad input is refused in one line", "[fluid]") {
     const std::string scene = (folder / "scene.json").string();
     io::write_file(scene, R"({"bodies": [{"radius": 0}]})");
     check_refused({scene, "-o", out}, "bodies[0].radius");
+    check_refused({scene, "--scene", "droplet", "-o", out}, "both");
+    check_refused({"--scene", "droplet", "--capillary-share", "4", "-o", out}, "--second-order");
 }
 
 TEST_CASE("a drop that is thrown at a wall stays in the domain, and keeps its volume", "[fluid]") {

@@ -30,7 +30,7 @@ void check_refused(const std::string& text, const std::string& place) {
 TEST_CASE("scenes that have a name are consistent", "[fluid]") {
     for (const std::string& name : scene_names()) {
         CAPTURE(name);
-        CHECK_NOTHROW(require_consistent(named_scene(name)));
+        CHECK_NOTHROW(require_consistent(named_scene(name), name));
     }
 }
 
@@ -53,15 +53,20 @@ TEST_CASE("what is wrong in a scene is named by its path", "[fluid]") {
     check_refused(R"({"domain": [[0, 0, 0], [1, 1, 0]], "bodies": [{}]})", "domain");
     check_refused(R"({"tension": "much", "bodies": [{}]})", "tension");
     check_refused(R"({"bodies": []})", "bodies");
+    check_refused(R"({"domain": [[-1, -1, -1], [1, 1, 1]], "vessel": {}, "bodies": [{"radius": 0.5}]})", "domain");
     check_refused("[]", "");
 }
 
 TEST_CASE("bodies that meet or leave the domain are refused", "[fluid]") {
     Scene scene = named_scene("droplet");
     scene.balls.push_back({.centre = Point3(0.1, 0, 0), .radius = 0.5});
-    CHECK_THROWS_WITH(require_consistent(scene), Catch::Contains("meet"));
+    CHECK_THROWS_WITH(require_consistent(scene, "s.json"), Catch::Contains("s.json: bodies[1]: meets bodies[0]"));
     scene.balls = {{.centre = Point3(1.5, 0, 0)}};
-    CHECK_THROWS_WITH(require_consistent(scene), Catch::Contains("domain"));
+    CHECK_THROWS_WITH(require_consistent(scene, "s.json"),
+                      Catch::Contains("s.json: bodies[0]") && Catch::Contains("domain"));
+    scene.balls = {{}};
+    scene.edge_length = 1e-4;
+    CHECK_THROWS_WITH(require_consistent(scene, "s.json"), Catch::Contains("edge_length"));
 }
 
 TEST_CASE("a tank is filled up to its depth", "[fluid]") {
