@@ -6,10 +6,14 @@
 #include <cmath>
 #include <functional>
 
+#include "dsc3d/generate/remesh.h"
 #include "dsc3d/generate/shapes.h"
 #include "dsc3d/generate/tetrahedralize.h"
 #include "dsc3d/generate/vessel.h"
 #include "fluid/equilibrium.h"
+#include "geometry/surface_check.h"
+#include "io/closed_surface.h"
+#include "io/surface_mesh.h"
 
 namespace dsc::fluid_app {
 
@@ -21,6 +25,21 @@ constexpr double tet_growth = 0.15;  // of the edge length per distance from the
 Point3 swollen(const Ball& ball, const Point3& place) {
     const Point3 arm = place - ball.centre;
     return place + ball.swell * Point3(-arm.x() / 2, -arm.y() / 2, arm.z());
+}
+
+// The surface of the file with edges of this length, as large as fits in the ball.
+geometry::SurfaceData from_file(const Ball& ball, double edge_length) {
+    geometry::SurfaceData surface = io::read_surface_mesh(*ball.surface);
+    surface.labels.clear();
+    io::require_closed_surface(*ball.surface, surface);
+    if (geometry::check_surface(surface).volume.value_or(0) < 0)
+        for (auto& triangle : surface.triangles) std::swap(triangle[1], triangle[2]);
+    Eigen::AlignedBox3d box;
+    for (const Point3& place : surface.vertices) box.extend(place);
+    double reach = 0;
+    for (const Point3& place : surface.vertices) reach = std::max(reach, (place - box.center()).norm());
+    for (Point3& place : surface.vertices) place = ball.centre + ball.radius / reach * (place - box.center());
+    return dsc3d::remeshed(surface, {.edge_length = edge_length});
 }
 
 // A drop of these triangles at rest.
@@ -55,7 +74,8 @@ geometry::TetData in_vessel(const geometry::SurfaceData& surface, const Vessel& 
 InitialMesh drops(const Scene& scene, core::Observer& observer) {
     geometry::SurfaceData surface;
     for (const Ball& ball : scene.balls) {
-        const geometry::SurfaceData part = drop(ball, scene.edge_length);
+        const geometry::SurfaceData part =
+            ball.surface ? from_file(ball, scene.edge_length) : drop(ball, scene.edge_length);
         const auto first = static_cast<std::uint32_t>(surface.vertices.size());
         surface.vertices.insert(surface.vertices.end(), part.vertices.begin(), part.vertices.end());
         for (const auto& [a, b, c] : part.triangles) surface.triangles.push_back({a + first, b + first, c + first});

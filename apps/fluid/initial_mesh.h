@@ -18,7 +18,7 @@ struct InitialMesh {
     double edge_length = 0;          ///< of the surface on average
 };
 
-/// Throws core::UsageError as tetrahedralize() does.
+/// Throws core::UsageError as tetrahedralize() does, and core::InputError for a surface that is not closed.
 InitialMesh initial_mesh(const Scene& scene, core::Observer& observer);
 
 }  // namespace dsc::fluid_app

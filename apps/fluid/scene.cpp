@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <set>
 
@@ -16,6 +17,7 @@ namespace dsc::fluid_app {
 namespace {
 
 constexpr double cells_per_cubic_edge = 6;
+constexpr double largest_number = 1e40;
 constexpr double most_cells = 2e7;  // some 20 GB with the matrices
 
 Scene droplet() {
@@ -134,6 +136,12 @@ public:
             fail(key, "is none of the words that can stand here", "give \"" + *choices.begin() + "\"");
         value = json_[key].string();
     }
+    void text(const std::string& key, std::string& value) {
+        known_.insert(key);
+        if (!json_.has(key)) return;
+        if (!json_[key].is_string()) fail(key, "is not text", "write it in quotes");
+        value = json_[key].string();
+    }
     void require_known() const {
         for (const auto& [key, value] : json_.members())
             if (!known_.contains(key)) fail(key, "is not known", "check its spelling");
@@ -160,7 +168,9 @@ Ball ball_from_json(const io::Json& json, const std::string& source, const std::
     Reader reader(json, source, path);
     Ball ball;
     std::string shape = "sphere";
-    reader.text("shape", shape, {"sphere"});
+    reader.text("shape", shape, {"sphere", "surface"});
+    std::string file;
+    reader.text("file", file);
     reader.point("centre", ball.centre);
     reader.number(
         "radius", ball.radius, [](double r) { return r > 0; }, "a positive number");
@@ -169,6 +179,12 @@ Ball ball_from_json(const io::Json& json, const std::string& source, const std::
     reader.number(
         "swell", ball.swell, [](double s) { return std::abs(s) < 0.5; }, "a number in (-0.5, 0.5)");
     reader.require_known();
+    if ((shape == "surface") == file.empty())
+        throw core::InputError(source, path, shape == "surface" ? "has no file" : "has a file, but is a sphere",
+                               "shape \"surface\" and \"file\" go together");
+    if (ball.swell != 0 && shape == "surface")
+        throw core::InputError(source, path + ".swell", "is of spheres only", "leave it out");
+    if (!file.empty()) ball.surface = (std::filesystem::path(source).parent_path() / file).string();
     return ball;
 }
 
@@ -182,6 +198,18 @@ double finely_meshed_volume(const Scene& scene) {
     double volume = 0;
     for (const Ball& ball : scene.balls) volume += 4 * EIGEN_PI / 3 * std::pow(ball.radius, 3);
     return volume;
+}
+
+// Their products have to be numbers still.
+void require_magnitudes(const Scene& scene, const std::string& source) {
+    double largest =
+        std::max({scene.density, scene.tension, scene.viscosity, scene.until, scene.gravity.cwiseAbs().maxCoeff(),
+                  scene.domain.min().cwiseAbs().maxCoeff(), scene.domain.max().cwiseAbs().maxCoeff()});
+    for (const Ball& ball : scene.balls)
+        largest = std::max({largest, ball.velocity.cwiseAbs().maxCoeff(), ball.spin.cwiseAbs().maxCoeff()});
+    if (largest > largest_number)
+        throw core::InputError(source, "", fmt::format("has {:g}, which is too large to compute with", largest),
+                               "choose other units");
 }
 
 void require_size(const Scene& scene, const std::string& source) {
@@ -252,6 +280,7 @@ void require_consistent(const Scene& scene, const std::string& source) {
     };
     if ((scene.balls.empty() ? 0 : 1) + (scene.depth ? 1 : 0) + (scene.sessile_radius ? 1 : 0) > 1)
         fail("", "bodies, the depth of a tank and a sessile drop don't go together yet", "keep one of them");
+    require_magnitudes(scene, source);
     require_size(scene, source);
     if (scene.sessile_radius &&
         1.5 * *scene.sessile_radius > std::min(scene.domain.sizes().head<2>().minCoeff() / 2, scene.domain.sizes().z()))

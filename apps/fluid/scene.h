@@ -18,13 +18,14 @@ namespace dsc::fluid_app {
 
 using geometry::Point3;
 
-/// A ball of fluid.
+/// A ball of fluid, or another shape that just fits in one.
 struct Ball {
     Point3 centre = Point3::Zero();
     double radius = 1;  ///< > 0
     Point3 velocity = Point3::Zero();
     Point3 spin = Point3::Zero();  ///< angular velocity
     double swell = 0;              ///< share of the radius by which the poles in direction z stand out; in (-0.5, 0.5)
+    std::optional<std::string> surface = {};  ///< file of a closed surface, which is scaled to fit in the ball
 };
 
 /// A hollow solid, filled with fluid and void: it is the domain, instead of a box.

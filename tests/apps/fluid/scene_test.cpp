@@ -6,6 +6,8 @@
 #include "apps/fluid/initial_mesh.h"
 #include "core/errors.h"
 #include "dsc3d/label_statistics.h"
+#include "io/atomic_file.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace dsc;
 using namespace dsc::fluid_app;
@@ -54,6 +56,8 @@ TEST_CASE("what is wrong in a scene is named by its path", "[fluid]") {
     check_refused(R"({"tension": "much", "bodies": [{}]})", "tension");
     check_refused(R"({"bodies": []})", "bodies");
     check_refused(R"({"domain": [[-1, -1, -1], [1, 1, 1]], "vessel": {}, "bodies": [{"radius": 0.5}]})", "domain");
+    check_refused(R"({"bodies": [{"shape": "surface"}]})", "bodies[0]");
+    check_refused(R"({"bodies": [{"file": "spot.off"}]})", "bodies[0]");
     check_refused("[]", "");
 }
 
@@ -67,6 +71,9 @@ TEST_CASE("bodies that meet or leave the domain are refused", "[fluid]") {
     scene.balls = {{}};
     scene.edge_length = 1e-4;
     CHECK_THROWS_WITH(require_consistent(scene, "s.json"), Catch::Contains("edge_length"));
+    scene.edge_length = 0.2;
+    scene.viscosity = 1e300;
+    CHECK_THROWS_WITH(require_consistent(scene, "s.json"), Catch::Contains("units"));
 }
 
 TEST_CASE("a tank is filled up to its depth", "[fluid]") {
@@ -79,4 +86,22 @@ TEST_CASE("a tank is filled up to its depth", "[fluid]") {
     REQUIRE(labels.size() == 2);
     CHECK(labels[1].volume == Approx(0.45).epsilon(1e-12));
     CHECK(labels[0].volume == Approx(1.05).epsilon(1e-12));
+}
+
+TEST_CASE("a body from a file fits in its ball", "[fluid]") {
+    const dsc::tests::TemporaryFolder folder;
+    io::write_file(folder / "cube.off",
+                   "OFF\n8 12 0\n3 3 3\n5 3 3\n5 5 3\n3 5 3\n3 3 5\n5 3 5\n5 5 5\n3 5 5\n"
+                   "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n"
+                   "3 2 3 7\n3 2 7 6\n3 1 2 6\n3 1 6 5\n3 0 4 7\n3 0 7 3\n");
+    const std::string path = (folder / "scene.json").string();
+    const Scene scene = scene_from_json(
+        io::Json::parse(R"({"edge_length": 0.3, "bodies": [{"shape": "surface", "file": "cube.off", "radius": 0.9,
+                                                            "centre": [0.1, 0, 0], "velocity": [0, 0, 1]}]})"),
+        path);
+    core::Observer observer;
+    const InitialMesh initial = initial_mesh(scene, observer);
+    const auto labels = dsc3d::label_statistics(dsc3d::Mesh(initial.tets));
+    REQUIRE(labels.size() == 2);
+    CHECK(labels[1].volume == Approx(8 * std::pow(0.9 / std::sqrt(3.0), 3)).epsilon(1e-9));
 }
