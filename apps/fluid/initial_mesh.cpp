@@ -137,15 +137,17 @@ void add_planes(std::vector<double>& planes, double low, double high, double len
         planes.push_back(i == count ? high : low + (high - low) * i / count);
 }
 
-InitialMesh layer(const Scene& scene) {
+// Of this size, in the lower corner of the domain.
+InitialMesh block(const Scene& scene, const Point3& size) {
     const Eigen::AlignedBox3d& box = scene.domain;
-    const double surface = box.min().z() + *scene.depth;
+    const Eigen::AlignedBox3d fluid(box.min(), box.min() + size);
     std::array<std::vector<double>, 3> planes;
-    for (int k = 0; k < 2; ++k)
-        add_planes(planes[static_cast<std::size_t>(k)], box.min()[k], box.max()[k], scene.edge_length);
-    add_planes(planes[2], box.min().z(), surface, scene.edge_length);
-    add_planes(planes[2], surface, box.max().z(), scene.edge_length);
-    InitialMesh mesh = grid(planes, [&](const Point3& centre) { return centre.z() < surface ? 1 : 0; });
+    for (int k = 0; k < 3; ++k) {
+        auto& of_axis = planes[static_cast<std::size_t>(k)];
+        add_planes(of_axis, box.min()[k], fluid.max()[k], scene.edge_length);
+        if (fluid.max()[k] < box.max()[k]) add_planes(of_axis, fluid.max()[k], box.max()[k], scene.edge_length);
+    }
+    InitialMesh mesh = grid(planes, [&](const Point3& centre) { return fluid.contains(centre) ? 1 : 0; });
     mesh.edge_length = scene.edge_length;
     return mesh;
 }
@@ -182,7 +184,8 @@ InitialMesh half_ball(const Scene& scene) {
 }  // namespace
 
 InitialMesh initial_mesh(const Scene& scene, core::Observer& observer) {
-    if (scene.depth) return layer(scene);
+    if (scene.depth) return block(scene, {scene.domain.sizes().x(), scene.domain.sizes().y(), *scene.depth});
+    if (scene.column) return block(scene, *scene.column);
     return scene.sessile_radius ? half_ball(scene) : drops(scene, observer);
 }
 

@@ -62,6 +62,17 @@ Scene tank() {
     return scene;
 }
 
+// A column of water is let go in a tank.
+Scene dam() {
+    Scene scene{.name = "dam", .domain = {Point3(0, 0, 0), Point3(4, 1, 2)}, .edge_length = 0.125};
+    scene.column = Point3(1, 1, 1);
+    scene.tension = 0.01;
+    scene.viscosity = 0.002;
+    scene.gravity = Point3(0, 0, -9.81);
+    scene.until = 1;
+    return scene;
+}
+
 // Figure 6.7.
 Scene sessile() {
     Scene scene{.name = "sessile", .domain = {Point3(-2, -2, 0), Point3(2, 2, 2)}, .edge_length = 0.2};
@@ -89,7 +100,7 @@ struct Named {
     Scene (*make)();
 };
 constexpr Named scenes[] = {{"droplet", droplet}, {"collide", collide}, {"oblique", oblique}, {"freefall", freefall},
-                            {"tank", tank},       {"sessile", sessile}, {"vessel", vessel}};
+                            {"tank", tank},       {"dam", dam},         {"sessile", sessile}, {"vessel", vessel}};
 
 // Members of an object, each known by its path.
 class Reader {
@@ -164,6 +175,11 @@ private:
     std::set<std::string> known_;
 };
 
+int kinds_of_fluid(const Scene& scene) {
+    return (scene.balls.empty() ? 0 : 1) + (scene.depth ? 1 : 0) + (scene.column ? 1 : 0) +
+           (scene.sessile_radius ? 1 : 0);
+}
+
 Ball ball_from_json(const io::Json& json, const std::string& source, const std::string& path) {
     Reader reader(json, source, path);
     Ball ball;
@@ -194,7 +210,7 @@ namespace {
 
 /// Edges of a scene of uniform cells, and of the fluid in one that is graded, fill this volume.
 double finely_meshed_volume(const Scene& scene) {
-    if (scene.depth || scene.sessile_radius) return scene.domain.volume();
+    if (scene.balls.empty()) return scene.domain.volume();
     double volume = 0;
     for (const Ball& ball : scene.balls) volume += 4 * EIGEN_PI / 3 * std::pow(ball.radius, 3);
     return volume;
@@ -251,6 +267,10 @@ Scene scene_from_json(const io::Json& json, const std::string& source) {
     double depth = 0;
     reader.number("depth", depth, positive, "a positive number");
     if (depth > 0) scene.depth = depth;
+    if (json.has("column")) {
+        scene.column.emplace();
+        reader.point("column", *scene.column);
+    }
     double radius = 0;
     reader.number("sessile_radius", radius, positive, "a positive number");
     if (radius > 0) scene.sessile_radius = radius;
@@ -268,9 +288,9 @@ Scene scene_from_json(const io::Json& json, const std::string& source) {
         for (std::size_t i = 0; i < bodies->size(); ++i)
             scene.balls.push_back(ball_from_json((*bodies)[i], source, "bodies[" + std::to_string(i) + "]"));
     reader.require_known();
-    if (scene.balls.empty() && !scene.depth && !scene.sessile_radius)
+    if (kinds_of_fluid(scene) == 0)
         throw core::InputError(source, "bodies", "there is no fluid",
-                               "give a body, the depth of a tank, or the radius of a sessile drop");
+                               "give a body, the depth of a tank, a column, or the radius of a sessile drop");
     return scene;
 }
 
@@ -278,13 +298,16 @@ void require_consistent(const Scene& scene, const std::string& source) {
     const auto fail = [&](const std::string& where, const std::string& problem, const std::string& cure) {
         throw core::InputError(source, where, problem, cure);
     };
-    if ((scene.balls.empty() ? 0 : 1) + (scene.depth ? 1 : 0) + (scene.sessile_radius ? 1 : 0) > 1)
-        fail("", "bodies, the depth of a tank and a sessile drop don't go together yet", "keep one of them");
+    if (kinds_of_fluid(scene) > 1)
+        fail("", "bodies, the depth of a tank, a column and a sessile drop don't go together yet", "keep one of them");
     require_magnitudes(scene, source);
     require_size(scene, source);
     if (scene.sessile_radius &&
         1.5 * *scene.sessile_radius > std::min(scene.domain.sizes().head<2>().minCoeff() / 2, scene.domain.sizes().z()))
         fail("sessile_radius", "the domain is not half as large again as the drop", "make the domain larger");
+    if (scene.column &&
+        !((scene.column->array() > 0).all() && (scene.column->array() <= scene.domain.sizes().array()).all()))
+        fail("column", "is not inside of the domain", "give its size, [width, depth, height]");
     if (scene.depth && *scene.depth >= scene.domain.sizes().z())
         fail("depth", "the tank is not that high", "make the domain higher");
     if (scene.vessel && scene.balls.empty()) fail("vessel", "there are no bodies in it", "give bodies");

@@ -40,6 +40,7 @@ struct Scene {
     double edge_length = 0.15;  ///< of the surface; > 0
     std::vector<Ball> balls;
     std::optional<double> depth;           ///< of a layer on the floor of the domain, which is a tank then; > 0
+    std::optional<Point3> column;          ///< size of a block in the lower corner of the domain; > 0
     std::optional<double> sessile_radius;  ///< of half a ball on the middle of the floor; > 0
     std::optional<Vessel> vessel;          ///< in which the balls are
     double density = 1;

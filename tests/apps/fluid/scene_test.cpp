@@ -88,6 +88,17 @@ TEST_CASE("a tank is filled up to its depth", "[fluid]") {
     CHECK(labels[0].volume == Approx(1.05).epsilon(1e-12));
 }
 
+TEST_CASE("a column stands in the corner of its tank", "[fluid]") {
+    core::Observer observer;
+    Scene scene = named_scene("dam");
+    scene.column = Point3(0.7, 1, 0.9);
+    const auto labels = dsc3d::label_statistics(dsc3d::Mesh(initial_mesh(scene, observer).tets));
+    REQUIRE(labels.size() == 2);
+    CHECK(labels[1].volume == Approx(0.63).epsilon(1e-12));
+    scene.column->x() = 5;
+    CHECK_THROWS_WITH(require_consistent(scene, "s.json"), Catch::Contains("column"));
+}
+
 TEST_CASE("a body from a file fits in its ball", "[fluid]") {
     const dsc::tests::TemporaryFolder folder;
     io::write_file(folder / "cube.off",
