@@ -78,7 +78,7 @@ void require_manifold(std::size_t vertex_count, std::span<const TriangleInput> t
 
 }  // namespace
 
-Complex::Complex(const Domain& domain, std::span<const Point2> points, std::span<const TriangleInput> triangles)
+Complex::Complex(const Domain& domain)
     : domain_(domain),
       vertices_(std::make_shared<core::AttributeRegistry<VertexId>>()),
       halfedges_(std::make_shared<core::AttributeRegistry<HalfedgeId>>()),
@@ -88,7 +88,10 @@ Complex::Complex(const Domain& domain, std::span<const Point2> points, std::span
       label_(faces_, 0),
       is_interface_(edges_, 0),
       interface_degree_(vertices_, 0),
-      is_locked_(vertices_, 0) {
+      is_locked_(vertices_, 0) {}
+
+Complex::Complex(const Domain& domain, std::span<const Point2> points, std::span<const TriangleInput> triangles)
+    : Complex(domain) {
     for (const Point2& point : points) {
         if (!domain_.is_in_reach(point))
             throw core::InputError("complex", "", "a point lies far outside the domain", "");

@@ -40,12 +40,17 @@ struct TriangleInput {
     int label = 0;
 };
 
+struct ComplexArrays;
+
 class Complex {
 public:
     /// Points are rounded to the grid of the domain. Throws core::InputError that names the triangle or vertex, from 0
     /// on, when the triangles don't form an oriented manifold without repeated edges, or one is not strictly
     /// counterclockwise.
     Complex(const Domain& domain, std::span<const Point2> points, std::span<const TriangleInput> triangles);
+    /// The complex that has these arrays. Throws core::InputError that names an array when a number in it is out of its
+    /// range; that they belong together is a precondition.
+    Complex(const Domain& domain, const ComplexArrays& arrays);
     Complex(Complex&&) = default;
     Complex& operator=(Complex&&) = default;
 
@@ -120,6 +125,7 @@ public:
     double garbage_fraction() const;
     /// Removes deleted elements; all handles change, attributes follow. Linear.
     void compact();
+    ComplexArrays arrays() const;
 
     // Unchecked building blocks; use dsc2d/operations, which judge a change before they call these.
 
@@ -136,6 +142,7 @@ public:
     void collapse_unchecked(HalfedgeId h);
 
 private:
+    explicit Complex(const Domain& domain);
     VertexId new_vertex(const Point2& position);
     void resize_attributes();
     void set_offset(HalfedgeId h, const LatticeVector& cell);

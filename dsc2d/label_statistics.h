@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fields.h"
 #include "dsc2d/complex.h"
 
 namespace dsc::dsc2d {
@@ -22,6 +23,12 @@ struct LabelStatistics {
     std::int64_t components = 0;  ///< connected through edges
     std::int64_t holes = 0;       ///< components minus Euler characteristic; in the plane: of all components together
 };
+
+template <class Visitor, core::ConstOrNot<LabelStatistics> Value>
+void fields(Visitor& visitor, Value& statistics) {
+    auto& [label, triangles, area, interface_length, boundary_length, components, holes] = statistics;
+    visitor(label, triangles, area, interface_length, boundary_length, components, holes);
+}
 
 /// One for each label, ascending.
 std::vector<LabelStatistics> label_statistics(const Complex& complex);

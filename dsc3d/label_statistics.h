@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fields.h"
 #include "dsc3d/mesh.h"
 
 namespace dsc::dsc3d {
@@ -23,6 +24,12 @@ struct LabelStatistics {
     std::int64_t surfaces = 0;    ///< connected parts of its surface: more than components when there are cavities
     std::int64_t genus = 0;       ///< handles of all these surfaces together
 };
+
+template <class Visitor, core::ConstOrNot<LabelStatistics> Value>
+void fields(Visitor& visitor, Value& statistics) {
+    auto& [label, tets, volume, interface_area, boundary_area, components, surfaces, genus] = statistics;
+    visitor(label, tets, volume, interface_area, boundary_area, components, surfaces, genus);
+}
 
 /// One for each label, ascending.
 std::vector<LabelStatistics> label_statistics(const Mesh& mesh);

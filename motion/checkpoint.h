@@ -67,8 +67,10 @@ public:
     /// Throws core::InputError when entries are left.
     void require_end() const;
 
-private:
+    /// Throws core::InputError: what was read is not what it should be.
     [[noreturn]] void fail(const std::string& place, const std::string& problem) const;
+
+private:
     std::string_view take(std::size_t size);
     std::uint64_t take_number(std::size_t size);
     std::string take_string();

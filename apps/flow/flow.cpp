@@ -110,13 +110,17 @@ public:
     }
 
     void save() {
-        if (checkpoints_) checkpoints_->save(result_, snapshots_);
+        if (checkpoints_) checkpoints_->save(history());
     }
 
 private:
+    Checkpoints::History history() const { return {result_.steps, result_.events, snapshots_.frames()}; }
+
     RunState state() const {
         return {.step = result_.steps.back().step,
                 .seconds = result_.seconds + watch_.seconds(),
+                .domain = result_.domain,
+                .edge_length = result_.edge_length,
                 .tets = mesh_.data(),
                 .edge_lengths = deformer_->edge_lengths(),
                 .unchanged = unchanged_->state(mesh_)};
@@ -124,7 +128,7 @@ private:
 
     // The mesh and all that looks at it from what a checkpoint holds, as a run that goes on from it has them.
     void renew() {
-        checkpoints_->take(state(), result_, snapshots_);
+        checkpoints_->take(state(), history());
         deformer_.reset();
         unchanged_.reset();
         components_.reset();

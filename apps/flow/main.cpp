@@ -50,17 +50,14 @@ Targets motion_of(const Options& options, const FlowResult& result) {
 
 // From where `result`, `snapshots` and `checkpoints` are to the end.
 int finish(const Options& options, const Targets& targets, dsc3d::Mesh& mesh, FlowResult& result, Snapshots& snapshots,
-           Checkpoints* checkpoints, apps::ProgressObserver& observer) {
+           Checkpoints& checkpoints, apps::ProgressObserver& observer) {
     remove_unfinished_files(options.folder);
-    run_flow(mesh, deformation(options, result.edge_length), targets, snapshots, observer, result, checkpoints,
+    run_flow(mesh, deformation(options, result.edge_length), targets, snapshots, observer, result, &checkpoints,
              domain_walls(options.shape));
     write_results(options, mesh, result, snapshots);
     observer.clear();
     if (!options.common.quiet) fmt::print("{}", report_text(result));
-    if (result.end == FlowEnd::cancelled && checkpoints && checkpoints->state())
-        throw core::RunError(result.reason + "; " + options.folder + " has the state before; flow --resume -o " +
-                             options.folder + " goes on");
-    require_end(result.end, result.reason, options.folder);
+    require_end(result.end, result.reason, options.folder, checkpoints.state().has_value());
     return apps::exit_done;
 }
 
@@ -76,37 +73,36 @@ int start(const Options& options) {
         dsc3d::Deformer(mesh, deformation(options, result.edge_length)).coarsen_everywhere();
         mesh = dsc3d::Mesh(mesh.data());
     }
-    std::optional<Checkpoints> checkpoints;
-    if (options.checkpoint_interval > 0) {
-        checkpoints.emplace(checkpoint_path(options.folder), options.given, options.checkpoint_interval);
-    } else {
-        remove_checkpoint(options.folder);
-    }
+    remove_checkpoint(options.folder);
+    Checkpoints checkpoints(apps::checkpoint_path(options.folder), checkpoint_kind, options.given,
+                            options.checkpoint_interval);
     Snapshots snapshots(options.folder, result.time.count, options.snapshots);
-    return finish(options, targets, mesh, result, snapshots, checkpoints ? &*checkpoints : nullptr, observer);
+    return finish(options, targets, mesh, result, snapshots, checkpoints, observer);
 }
 
-int resume(const Options& resuming) {
-    const std::filesystem::path path = checkpoint_path(resuming.folder);
-    SavedRun saved = read_checkpoint(path);
-    const Options options = options_of(saved, resuming);
+int resume(const Options& options, apps::CheckpointFile& file) {
+    SavedRun saved = file.run<SavedRun>();
     apps::ProgressObserver observer(options.common.progress);
-    FlowResult result = std::move(saved.result);
+    FlowResult result;
+    result.domain = saved.state.domain;
+    result.edge_length = saved.state.edge_length;
     result.time = time_steps(options.time, options.motion);
     const Targets targets = motion_of(options, result);
+    const std::filesystem::path path = apps::checkpoint_path(options.folder);
     dsc3d::Mesh mesh(saved.state.tets, path.string());
-    Checkpoints checkpoints(path, options.given, options.checkpoint_interval);
-    checkpoints.restore(std::move(saved.state));
+    Checkpoints checkpoints(path, checkpoint_kind, options.given, options.checkpoint_interval);
     Snapshots snapshots(options.folder, result.time.count, options.snapshots);
-    for (Snapshots::Frame& frame : saved.frames) snapshots.restore(std::move(frame));
-    return finish(options, targets, mesh, result, snapshots, &checkpoints, observer);
+    take_over(std::move(saved), result, snapshots, checkpoints);
+    return finish(options, targets, mesh, result, snapshots, checkpoints, observer);
 }
 
 int run(int argc, const char* const* argv) {
-    const std::optional<Options> options = parse_options(argc, argv);
+    std::optional<Options> options = parse_options(argc, argv);
     if (!options) return apps::exit_done;
-    if (options->is_resumed) return resume(*options);
-    return options->planar ? planar::run(*options) : start(*options);
+    if (!options->is_resumed) return options->planar ? planar::start(*options) : start(*options);
+    apps::CheckpointFile file(apps::checkpoint_path(options->folder), checkpoint_kind);
+    options = resumed_options(file.options(), *options);
+    return options->planar ? planar::resume(*options, file) : resume(*options, file);
 }
 
 }  // namespace

@@ -219,8 +219,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
                  "since mesh and random numbers begin anew there",
                  {.at_least = 0});
     line.flag("--resume", options.is_resumed,
-              "go on from the checkpoint in the folder, with the options of that run: flow --resume -o DIR; not with "
-              "--dimension 2");
+              "go on from the checkpoint in the folder, with the options of that run: flow --resume -o DIR");
     if (!line.parse(argc, argv)) return std::nullopt;
 
     options.common = line.common();
@@ -230,9 +229,6 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     if (options.dimension == 2) {
         if (options.sizing) throw core::UsageError("--sizing is there in three dimensions only");
         if (without) throw core::UsageError("--without is there in three dimensions only");
-        for (const char* option : {"--resume", "--checkpoint"})
-            if (line.is_given(option))
-                throw core::UsageError(std::string(option) + ": is not there yet with --dimension 2");
     }
     if (without) {
         options.without = *without;

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <vector>
 
-#include "apps/flow/checkpoint.h"
+#include "apps/common/checkpoint_file.h"
 #include "core/errors.h"
 #include "io/atomic_file.h"
 
@@ -39,7 +39,7 @@ void require_other_files(const std::string& input, const std::filesystem::path& 
 
 void remove_checkpoint(const std::filesystem::path& folder) {
     std::error_code absent;
-    std::filesystem::remove(checkpoint_path(folder), absent);
+    std::filesystem::remove(apps::checkpoint_path(folder), absent);
 }
 
 void remove_unfinished_files(const std::filesystem::path& folder) {
@@ -66,9 +66,11 @@ void write_reports(const Options& options, const io::Json& report,
     }
 }
 
-void require_end(FlowEnd end, const std::string& reason, const std::string& folder) {
-    if (end == FlowEnd::cancelled || end == FlowEnd::stopped)
-        throw core::RunError(reason + "; " + folder + " has the state before");
+void require_end(FlowEnd end, const std::string& reason, const std::string& folder, bool has_checkpoint) {
+    if (end != FlowEnd::cancelled && end != FlowEnd::stopped) return;
+    const bool can_go_on = end == FlowEnd::cancelled && has_checkpoint;
+    throw core::RunError(reason + "; " + folder + " has the state before" +
+                         (can_go_on ? "; flow --resume -o " + folder + " goes on" : ""));
 }
 
 }  // namespace dsc::flow

@@ -26,7 +26,7 @@ void remove_unfinished_files(const std::filesystem::path& folder);
 void write_reports(const Options& options, const io::Json& report,
                    const std::function<io::HtmlPage(const std::string& title)>& page);
 
-/// Throws core::RunError when the flow was cancelled or stopped.
-void require_end(FlowEnd end, const std::string& reason, const std::string& folder);
+/// Throws core::RunError when the flow was cancelled or stopped. `has_checkpoint`: it can go on.
+void require_end(FlowEnd end, const std::string& reason, const std::string& folder, bool has_checkpoint);
 
 }  // namespace dsc::flow

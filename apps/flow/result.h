@@ -10,6 +10,7 @@
 
 #include "apps/common/names.h"
 #include "apps/flow/time_steps.h"
+#include "core/fields.h"
 
 namespace dsc::flow {
 
@@ -33,6 +34,13 @@ struct EventOf {
     Place place = Place::Zero();
     int label = 0;  ///< of what was squeezed away, has vanished, or lies between what is in contact
 };
+
+template <class Visitor, class Event>
+requires core::ConstOrNot<Event, EventOf<2>> || core::ConstOrNot<Event, EventOf<3>>
+void fields(Visitor& visitor, Event& event) {
+    auto& [kind, step, time, place, label] = event;
+    visitor(kind, step, time, place, label);
+}
 
 template <int Dimension, class Record>
 struct ResultOf {

@@ -8,11 +8,11 @@
 
 namespace dsc::flow {
 
-Options options_of(const SavedRun& run, const Options& resuming) {
-    const apps::ResumedArguments arguments("flow", run.options, resuming.given);
+Options resumed_options(const io::Json& at_start, const Options& resuming) {
+    const apps::ResumedArguments arguments("flow", at_start, resuming.given);
     std::optional<Options> options = parse_options(arguments.argc(), arguments.argv());
     DSC_ASSERT(options);
-    options->given = run.options;
+    options->given = at_start;
     options->is_resumed = true;
     return *options;
 }

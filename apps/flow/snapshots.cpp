@@ -20,18 +20,6 @@ using geometry::InterfaceData;
 
 namespace {
 
-io::PolyData poly_data(const InterfaceData& interface) {
-    io::PolyData data{.points = interface.surface.vertices};
-    for (const auto& [a, b, c] : interface.surface.triangles) data.polygons.push_back({a, b, c});
-    io::VtkData front{.name = "front_label"}, back{.name = "back_label"};
-    for (const auto& [in_front, behind] : interface.sides) {
-        front.values.push_back(in_front);
-        back.values.push_back(behind);
-    }
-    data.cell_data = {front, back};
-    return data;
-}
-
 // The triangles between two labels, with the vertices they use.
 io::ViewSurfaceFrame part(const InterfaceData& interface, const std::array<int, 2>& labels) {
     constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
@@ -66,36 +54,29 @@ io::ViewLines box_lines(const Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
-Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : times_to_keep_(steps, count) {
-    if (count > 0) files_.emplace(folder, "series");
-}
+InterfaceData DrawnSurface::interface(const dsc3d::Mesh& mesh) { return dsc3d::Interface(mesh).data; }
 
-void Snapshots::keep(Frame frame) {
-    files_->add(frame.time, poly_data(frame.interface));
-    frames_.push_back(std::move(frame));
-}
-
-void Snapshots::add(const dsc3d::Mesh& mesh, int step, double time) {
-    if (times_to_keep_.take(step)) keep({step, time, dsc3d::Interface(mesh).data});
-}
-
-void Snapshots::add_last(const dsc3d::Mesh& mesh, int step, double time) {
-    if (times_to_keep_.take_last(step)) keep({step, time, dsc3d::Interface(mesh).data});
-}
-
-void Snapshots::restore(Frame frame) {
-    if (times_to_keep_.take_last(frame.step)) keep(std::move(frame));
+io::PolyData DrawnSurface::poly_data(const InterfaceData& interface) {
+    io::PolyData data{.points = interface.surface.vertices};
+    for (const auto& [a, b, c] : interface.surface.triangles) data.polygons.push_back({a, b, c});
+    io::VtkData front{.name = "front_label"}, back{.name = "back_label"};
+    for (const auto& [in_front, behind] : interface.sides) {
+        front.values.push_back(in_front);
+        back.values.push_back(behind);
+    }
+    data.cell_data = {front, back};
+    return data;
 }
 
 std::vector<io::ViewSurfaceSeries> Snapshots::series() const {
     std::map<std::array<int, 2>, io::ViewSurfaceSeries> by_labels;
-    for (const Frame& frame : frames_)
+    for (const Frame& frame : frames())
         for (const auto& labels : frame.interface.sides) by_labels.try_emplace(labels);
     std::vector<io::ViewSurfaceSeries> result;
     for (auto& [labels, series] : by_labels) {
         series.name = sides_name(labels[0], labels[1]);
         series.colour = label_colour(labels[1]);
-        for (const Frame& frame : frames_) {
+        for (const Frame& frame : frames()) {
             series.times.push_back(frame.time);
             series.frames.push_back(part(frame.interface, labels));
         }

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "apps/flow/component_tracker.h"
+#include "core/fields.h"
 #include "dsc3d/components.h"
 #include "dsc3d/label_statistics.h"
 #include "dsc3d/mesh.h"
+#include "motion/step_counts_fields.h"
 #include "motion/step_report.h"
 
 namespace dsc::flow {
@@ -38,6 +40,14 @@ struct StepRecord {
     std::vector<std::pair<std::string, double>> milliseconds;  ///< by phase
 };
 
+template <class Visitor, core::ConstOrNot<StepRecord> Value>
+void fields(Visitor& visitor, Value& record) {
+    auto& [step, time, vertices, tets, faces, unchanged, labels, min_dihedral, max_dihedral, min_quality, inverted,
+           is_complete, substeps, unfinished, in_contact, remainder, counts, milliseconds] = record;
+    visitor(step, time, vertices, tets, faces, unchanged, labels, min_dihedral, max_dihedral, min_quality, inverted,
+            is_complete, substeps, unfinished, in_contact, remainder, counts, milliseconds);
+}
+
 /// Knows the triangles of the first interface by their vertices.
 class UnchangedTriangles {
 public:
@@ -59,6 +69,12 @@ private:
     core::Attribute<dsc3d::VertexId, std::uint32_t> number_;  ///< from 1; 0: was not there
     std::vector<Key> first_;                                  ///< ascending
 };
+
+template <class Visitor, core::ConstOrNot<UnchangedTriangles::State> Value>
+void fields(Visitor& visitor, Value& state) {
+    auto& [numbers, first] = state;
+    visitor(numbers, first);
+}
 
 /// The cells of a tetrahedral mesh, for its components.
 struct Tets {

@@ -1,58 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run's state in a file, from which it goes on bit for bit. Guarantee: the run makes itself again from each state it
-// takes, so that a run that goes on makes the same steps; a file is whole or absent, and one that is damaged is
-// refused.
+// A fluid up to a step, from which it goes on bit for bit: see apps/common/checkpoints.h.
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <vector>
-
+#include "apps/common/checkpoints.h"
 #include "apps/fluid/series.h"
 #include "apps/fluid/step_record.h"
-#include "io/json.h"
+#include "geometry/data_fields.h"
 
 namespace dsc::fluid_app {
 
+inline constexpr apps::CheckpointKind checkpoint_kind{"fluid", 2};
+
+template <class Visitor, core::ConstOrNot<TrackedState> Value>
+void fields(Visitor& visitor, Value& state) {
+    auto& [tets, velocities, pressures, parts, kept_volumes, edge_lengths] = state;
+    visitor(tets, velocities, pressures, parts, kept_volumes, edge_lengths);
+}
+
+/// What the steps that follow depend on, beside the options.
 struct RunState {
     int step = 0;
     double time = 0;
-    double seconds = 0;
+    double seconds = 0;      ///< of the run so far
+    double edge_length = 0;  ///< of the surface at the start
     TrackedState fluid;
 };
 
-struct SavedRun {
-    io::Json options;
-    double edge_length = 0;  ///< of the surface at the start
-    RunState state;
-    std::vector<StepRecord> steps;
-    std::vector<Event> events;
-    std::vector<Frame> frames;
-};
+template <class Visitor, core::ConstOrNot<RunState> Value>
+void fields(Visitor& visitor, Value& run) {
+    auto& [step, time, seconds, edge_length, fluid] = run;
+    visitor(step, time, seconds, edge_length, fluid);
+}
 
-std::filesystem::path checkpoint_path(const std::filesystem::path& folder);
-
-/// Throws core::InputError when there is no checkpoint, or it is damaged, or of another version of the program.
-SavedRun read_checkpoint(const std::filesystem::path& path);
-
-class Checkpoints {
-public:
-    /// `interval`: steps from one to the next, > 0. `options`: of the command line, to be kept.
-    Checkpoints(std::filesystem::path path, io::Json options, double edge_length, int interval);
-
-    const std::optional<RunState>& state() const { return state_; }
-    void restore(RunState state) { state_ = std::move(state); }
-    bool is_due(int step) const { return step % interval_ == 0 && !(state_ && state_->step == step); }
-    /// Takes the state and writes it.
-    void take(RunState state, const std::vector<StepRecord>& steps, const std::vector<Event>& events,
-              const std::vector<Frame>& frames);
-
-private:
-    std::filesystem::path path_;
-    io::Json options_;
-    double edge_length_;
-    int interval_;
-    std::optional<RunState> state_;
-};
+using SavedRun = apps::SavedRun<RunState, StepRecord, Event, Frame>;
+using Checkpoints = apps::Checkpoints<SavedRun>;
 
 }  // namespace dsc::fluid_app

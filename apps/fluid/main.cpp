@@ -39,10 +39,10 @@ TrackedParameters parameters_of(const Options& options, double edge_length) {
 }
 
 int finish(const Options& options, const TrackedState& start, double edge_length, Series& series,
-           Checkpoints* checkpoints, apps::ProgressObserver& observer, RunResult& result) {
+           Checkpoints& checkpoints, apps::ProgressObserver& observer, RunResult& result) {
     const std::filesystem::path folder = options.folder;
     const geometry::TetData last =
-        run_fluid(start, parameters_of(options, edge_length), options.run, series, checkpoints, observer, result);
+        run_fluid(start, parameters_of(options, edge_length), options.run, series, &checkpoints, observer, result);
     io::write_tet_mesh(folder / "final.mesh", last);
     const std::string report = report_json(options.scene, result, options.given).dump(1) + "\n";
     io::write_file(folder / "report.json", report);
@@ -59,30 +59,30 @@ int start(const Options& options) {
     apps::ProgressObserver observer(options.common.progress);
     InitialMesh mesh = initial_mesh(options.scene, observer);
     TrackedState state{.tets = std::move(mesh.tets), .velocities = std::move(mesh.velocities)};
-    const std::filesystem::path path = checkpoint_path(options.folder);
+    const std::filesystem::path path = apps::checkpoint_path(options.folder);
     std::filesystem::remove(path);  // of an earlier run
-    std::optional<Checkpoints> checkpoints;
-    if (options.checkpoint_interval > 0)
-        checkpoints.emplace(path, options.given, mesh.edge_length, options.checkpoint_interval);
+    Checkpoints checkpoints(path, checkpoint_kind, options.given, options.checkpoint_interval);
     Series series(options.folder, options.run.until, options.snapshots);
     RunResult result;
-    return finish(options, state, mesh.edge_length, series, checkpoints ? &*checkpoints : nullptr, observer, result);
+    return finish(options, state, mesh.edge_length, series, checkpoints, observer, result);
 }
 
 int resume(const Options& resuming) {
-    const std::filesystem::path path = checkpoint_path(resuming.folder);
-    SavedRun saved = read_checkpoint(path);
-    const apps::ResumedArguments arguments("fluid", saved.options, resuming.given);
+    const std::filesystem::path path = apps::checkpoint_path(resuming.folder);
+    apps::CheckpointFile file(path, checkpoint_kind);
+    const apps::ResumedArguments arguments("fluid", file.options(), resuming.given);
     std::optional<Options> options = parse_options(arguments.argc(), arguments.argv());
-    options->given = saved.options;
+    options->given = file.options();
+    SavedRun saved = file.run<SavedRun>();
+    const double edge_length = saved.state.edge_length;
     apps::ProgressObserver observer(options->common.progress);
     RunResult result{
         .steps = std::move(saved.steps), .events = std::move(saved.events), .seconds = saved.state.seconds};
     Series series(options->folder, options->run.until, options->snapshots);
     for (Frame& frame : saved.frames) series.restore(std::move(frame));
-    Checkpoints checkpoints(path, saved.options, saved.edge_length, options->checkpoint_interval);
+    Checkpoints checkpoints(path, checkpoint_kind, options->given, options->checkpoint_interval);
     checkpoints.restore(std::move(saved.state));
-    return finish(*options, {}, saved.edge_length, series, &checkpoints, observer, result);
+    return finish(*options, {}, edge_length, series, checkpoints, observer, result);
 }
 
 int run(int argc, const char* const* argv) {

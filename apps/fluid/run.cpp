@@ -72,11 +72,14 @@ public:
     }
 
     geometry::TetData finish() {
+        if (checkpoints_) checkpoints_->save(history());
         series_.add_last(*fluid_, last().time);
         return fluid_->mesh().data();
     }
 
 private:
+    Checkpoints::History history() const { return {result_.steps, result_.events, series_.frames()}; }
+
     void make(const TrackedState& state, int step) {
         TrackedParameters parameters = parameters_;
         parameters.deform.seed += static_cast<std::uint64_t>(step);  // not the same random numbers again
@@ -88,8 +91,9 @@ private:
         checkpoints_->take({.step = last().step,
                             .time = last().time,
                             .seconds = result_.seconds + watch_.seconds(),
+                            .edge_length = parameters_.deform.edge_length,
                             .fluid = fluid_->state()},
-                           result_.steps, result_.events, series_.frames());
+                           history());
         make(checkpoints_->state()->fluid, last().step);
     }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/fluid/tracked_fluid.h"
+#include "core/fields.h"
 #include "geometry/surface_data.h"
 #include "io/html_view.h"
 #include "io/vtp.h"
@@ -20,6 +21,12 @@ struct Frame {
     std::vector<Point3> velocities;  ///< of its vertices
     std::vector<double> pressures;   ///< of the cells behind its triangles
 };
+
+template <class Visitor, core::ConstOrNot<Frame> Value>
+void fields(Visitor& visitor, Value& frame) {
+    auto& [time, surface, velocities, pressures] = frame;
+    visitor(time, surface, velocities, pressures);
+}
 
 Frame frame_of(const TrackedFluid& fluid, double time);
 

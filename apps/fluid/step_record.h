@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/fluid/tracked_fluid.h"
+#include "core/fields.h"
 
 namespace dsc::fluid_app {
 
@@ -30,12 +31,28 @@ struct StepRecord {
     std::vector<std::pair<std::string, double>> milliseconds;
 };
 
+template <class Visitor, core::ConstOrNot<StepRecord> Value>
+void fields(Visitor& visitor, Value& record) {
+    auto& [step, time, dt, vertices, cells, tets, surface_faces, volumes, kept_volumes, centre, momentum,
+           angular_momentum, kinetic_energy, surface_energy, potential_energy, max_speed, max_divergence,
+           solver_iterations, transferred, unfinished, min_dihedral, milliseconds] = record;
+    visitor(step, time, dt, vertices, cells, tets, surface_faces, volumes, kept_volumes, centre, momentum,
+            angular_momentum, kinetic_energy, surface_energy, potential_energy, max_speed, max_divergence,
+            solver_iterations, transferred, unfinished, min_dihedral, milliseconds);
+}
+
 struct Event {
     std::string kind;  ///< "merge", "split", or the number of parts when it has changed: "2 parts"
     int step = 0;
     double time = 0;
     Point3 place = Point3::Zero();
 };
+
+template <class Visitor, core::ConstOrNot<Event> Value>
+void fields(Visitor& visitor, Value& event) {
+    auto& [kind, step, time, place] = event;
+    visitor(kind, step, time, place);
+}
 
 StepRecord step_record(const TrackedFluid& fluid, int step, double time);
 

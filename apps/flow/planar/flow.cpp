@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "apps/flow/planar/held_contacts.h"
@@ -69,22 +70,23 @@ private:
 class Run {
 public:
     Run(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, Snapshots& snapshots,
-        const core::Observer& observer, FlowResult& result)
+        const core::Observer& observer, FlowResult& result, Checkpoints* checkpoints)
         : complex_(complex),
-          background_(parameters.background_label),
-          topology_(parameters.topology),
-          edge_length_(parameters.edge_length),
+          parameters_(parameters),
           targets_(targets),
           snapshots_(snapshots),
           observer_(observer),
           result_(result),
-          deformer_(complex, parameters, events_),
-          unchanged_(complex),
-          components_(complex) {}
-
-    void begin() {
-        result_.steps.push_back(step_record(complex_, 0, 0, unchanged_));
-        keep(result_.steps.back());
+          checkpoints_(checkpoints) {
+        if (checkpoints_ && checkpoints_->state()) {
+            equip(*checkpoints_->state());
+        } else {
+            deformer_.emplace(complex_, parameters_, events_);
+            unchanged_.emplace(complex_);
+            components_.emplace(complex_);
+            result_.steps.push_back(step_record(complex_, 0, 0, *unchanged_));
+            keep(result_.steps.back());
+        }
     }
 
     // In as many parts as keep the motion of each below a share of the edge length, so that the mesh can follow, and
@@ -95,6 +97,11 @@ public:
         const double end = result_.time.time(result_.steps.back().step + 1);
         made_ = {};
         core::Stopwatch watch;
+        if (checkpoints_ && checkpoints_->is_due(result_.steps.back().step)) {
+            renew();
+            made_.checkpoint_ms = 1e3 * watch.seconds();
+        }
+        watch = {};
         prepare();
         const std::vector<std::optional<Point2>> wanted = targets_at(start, end - start);
         const double needed = std::ceil(parts_of(wanted));
@@ -117,6 +124,10 @@ public:
         record(end);
     }
 
+    void save() {
+        if (checkpoints_) checkpoints_->save(history());
+    }
+
     void keep(const StepRecord& record) { snapshots_.add(complex_, record.step, record.time); }
     bool is_empty(const StepRecord& record) const { return record.interface_edges == 0; }
     std::string describe(const StepRecord& record) const {
@@ -129,8 +140,40 @@ private:
     struct Made {
         dsc2d::StepReport report;
         Lags lags;
+        std::optional<double> checkpoint_ms;
         double targets_ms = 0, deform_ms = 0;
     };
+
+    Checkpoints::History history() const { return {result_.steps, result_.events, snapshots_.frames()}; }
+
+    RunState state() const {
+        return {.step = result_.steps.back().step,
+                .seconds = result_.seconds + watch_.seconds(),
+                .domain = result_.domain,
+                .edges = {.edge_length = parameters_.edge_length,
+                          .shortest = *parameters_.interface_min_edge,
+                          .longest = *parameters_.interface_max_edge},
+                .complex = complex_.arrays(),
+                .unchanged = unchanged_->state(),
+                .contacts = contacts_.contacts()};
+    }
+
+    // The complex and all that looks at it from what a checkpoint holds, as a run that goes on from it has them.
+    void renew() {
+        checkpoints_->take(state(), history());
+        deformer_.reset();
+        unchanged_.reset();
+        components_.reset();
+        complex_ = Complex(complex_.domain(), checkpoints_->state()->complex);
+        equip(*checkpoints_->state());
+    }
+
+    void equip(const RunState& state) {
+        deformer_.emplace(complex_, parameters_, events_);
+        unchanged_.emplace(complex_, state.unchanged);
+        components_.emplace(complex_);
+        contacts_ = HeldContacts(state.contacts);
+    }
 
     // Towards the targets given, if there are any.
     void take_part(const std::vector<std::optional<Point2>>* given, double time, double dt) {
@@ -142,7 +185,7 @@ private:
         contacts_.release(complex_, wanted);
         made_.targets_ms += 1e3 * watch.seconds();
         watch = {};
-        const dsc2d::StepReport report = deformer_.step(wanted);
+        const dsc2d::StepReport report = deformer_->step(wanted);
         made_.deform_ms += 1e3 * watch.seconds();
         contacts_.add(complex_, report.contacts);
         made_.report.counts += report.counts;
@@ -153,12 +196,14 @@ private:
     void record(double time) {
         const core::Stopwatch watch;
         const int step = result_.steps.back().step + 1;
-        StepRecord record = step_record(complex_, step, time, unchanged_);
+        StepRecord record = step_record(complex_, step, time, *unchanged_);
         made_.lags.hand_over(complex_, made_.report);
         add_step(record, complex_, made_.report);
         add_events(step, time);
-        record.milliseconds = {
-            {"targets", made_.targets_ms}, {"deform", made_.deform_ms}, {"measure", 1e3 * watch.seconds()}};
+        if (made_.checkpoint_ms) record.milliseconds.emplace_back("checkpoint", *made_.checkpoint_ms);
+        record.milliseconds.emplace_back("targets", made_.targets_ms);
+        record.milliseconds.emplace_back("deform", made_.deform_ms);
+        record.milliseconds.emplace_back("measure", 1e3 * watch.seconds());
         result_.steps.push_back(std::move(record));
     }
 
@@ -213,8 +258,9 @@ private:
         };
         double parts = 1;
         for (std::uint32_t i = 0; i < wanted.size(); ++i)
-            if (wanted[i]) parts = std::max(parts, motion(VertexId(i)).norm() / (motion_share * edge_length_));
-        if (topology_ != motion::TopologyPolicy::adaptive) {
+            if (wanted[i])
+                parts = std::max(parts, motion(VertexId(i)).norm() / (motion_share * parameters_.edge_length));
+        if (parameters_.topology != motion::TopologyPolicy::adaptive) {
             for (std::uint32_t i = 0; i < complex_.edge_capacity(); ++i) {
                 if (complex_.is_deleted(core::EdgeId(i))) continue;
                 const core::HalfedgeId h = Complex::halfedge(core::EdgeId(i));
@@ -222,7 +268,8 @@ private:
                 if (!complex_.is_interface(a) || !complex_.is_interface(b)) continue;
                 const Point2 gap = complex_.vector(h);
                 const double length = gap.norm(), approach = -(motion(b) - motion(a)).dot(gap) / length;
-                if (length < edge_length_) parts = std::max(parts, approach / (approach_share * edge_length_));
+                if (length < parameters_.edge_length)
+                    parts = std::max(parts, approach / (approach_share * parameters_.edge_length));
             }
         }
         return parts;
@@ -255,7 +302,7 @@ private:
         const auto distance = [&](const Point2& p) {
             return std::min((p - result_.domain.min()).minCoeff(), (result_.domain.max() - p).minCoeff());
         };
-        return distance(to) >= std::min(room_at_wall * edge_length_, distance(from));
+        return distance(to) >= std::min(room_at_wall * parameters_.edge_length, distance(from));
     }
 
     void add_events(int step, double time) {
@@ -264,34 +311,37 @@ private:
         };
         for (const dsc2d::Event& event : events_.taken()) {
             const bool is_contact = event.kind == motion::EventKind::contact;
-            add(is_contact ? "contact" : event.label == background_ ? "merge" : "split", event.place, event.label);
+            add(is_contact                                    ? "contact"
+                : event.label == parameters_.background_label ? "merge"
+                                                              : "split",
+                event.place, event.label);
         }
-        for (const auto& [label, centroid] : components_.update(complex_)) add("vanish", centroid, label);
+        for (const auto& [label, centroid] : components_->update(complex_)) add("vanish", centroid, label);
     }
 
     Complex& complex_;
-    int background_;
-    motion::TopologyPolicy topology_;
-    double edge_length_;
+    dsc2d::Parameters parameters_;
     const Targets& targets_;
     Snapshots& snapshots_;
     const core::Observer& observer_;
     FlowResult& result_;
+    Checkpoints* checkpoints_;
+    core::Stopwatch watch_;
     EventList events_;
-    dsc2d::Deformer deformer_;
+    std::optional<dsc2d::Deformer> deformer_;
     HeldContacts contacts_;
-    UnchangedEdges unchanged_;
-    ComponentTracker components_;
+    std::optional<UnchangedEdges> unchanged_;
+    std::optional<ComponentTracker> components_;
     Made made_;
 };
 
 }  // namespace
 
 void run_flow(Complex& complex, const dsc2d::Parameters& parameters, const Targets& targets, Snapshots& snapshots,
-              core::Observer& observer, FlowResult& result) {
-    Run run(complex, parameters, targets, snapshots, observer, result);
-    run.begin();
+              core::Observer& observer, FlowResult& result, Checkpoints* checkpoints) {
+    Run run(complex, parameters, targets, snapshots, observer, result, checkpoints);
     run_steps(result, run, observer);
+    run.save();
     snapshots.add_last(complex, result.steps.back().step, result.steps.back().time);
 }
 

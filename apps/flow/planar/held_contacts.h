@@ -5,17 +5,38 @@
 // contacts.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/fields.h"
 #include "dsc2d/complex.h"
 #include "dsc2d/deform/listener.h"
 
 namespace dsc::flow::planar {
 
+/// Two vertices that are kept from each other, by their numbers.
+struct HeldContact {
+    std::uint32_t a = 0, b = 0;
+    dsc2d::LatticeVector lattice = dsc2d::LatticeVector::Zero();  ///< as in motion::Contact
+    bool locks_a = false, locks_b = false;
+};
+
+template <class Visitor, core::ConstOrNot<HeldContact> Value>
+void fields(Visitor& visitor, Value& contact) {
+    auto& [a, b, lattice, locks_a, locks_b] = contact;
+    visitor(a, b, lattice, locks_a, locks_b);
+}
+
 class HeldContacts {
 public:
+    HeldContacts() = default;
+    /// Those of a complex with the same handles, whose vertices are locked already.
+    explicit HeldContacts(std::vector<HeldContact> contacts) : contacts_(std::move(contacts)) {}
+
+    const std::vector<HeldContact>& contacts() const { return contacts_; }
     bool is_empty() const { return contacts_.empty(); }
 
     /// Before a step: unlocks what its targets take apart.
@@ -26,14 +47,10 @@ public:
     void add(const dsc2d::Complex& complex, std::span<const dsc2d::Contact> contacts);
 
 private:
-    struct Held {
-        dsc2d::Contact contact;
-        bool locks_a, locks_b;
-    };
     /// All of them, which are held no longer.
-    std::vector<Held> unlocked(dsc2d::Complex& complex);
+    std::vector<HeldContact> unlocked(dsc2d::Complex& complex);
 
-    std::vector<Held> contacts_;
+    std::vector<HeldContact> contacts_;
 };
 
 }  // namespace dsc::flow::planar

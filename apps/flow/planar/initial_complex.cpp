@@ -104,13 +104,6 @@ Outlines by_name(const ShapeOptions& options) {
     return from_file(options);
 }
 
-dsc2d::Domain domain_of(const ShapeOptions& options, const Box& box) {
-    if (!options.is_torus) return dsc2d::Domain::box(box.min(), box.max());
-    Eigen::Matrix2d periods = Eigen::Matrix2d::Zero();
-    periods.diagonal() = box.sizes();
-    return dsc2d::Domain::torus(periods, box.min());
-}
-
 void require_room(const ShapeOptions& options, const Outlines& outlines, const Box& domain) {
     const std::string source = options.shape == Shape::file ? options.path : "the shape";
     for (const Region& region : outlines.regions) {
@@ -184,7 +177,7 @@ InitialComplex from_mesh(const ShapeOptions& options) {
     for (std::size_t i = 0; i < data.triangles.size(); ++i)
         triangles.push_back({data.triangles[i], {zero, zero, zero}, data.label(i)});
     try {
-        InitialComplex result{.complex = Complex(domain_of(options, box), points, triangles), .domain = box};
+        InitialComplex result{.complex = Complex(domain_of(box, options.is_torus), points, triangles), .domain = box};
         require_box(options.path, result.complex);
         const dsc2d::Interface interface(result.complex);
         if (interface.segments.empty())
@@ -201,6 +194,13 @@ InitialComplex from_mesh(const ShapeOptions& options) {
 
 }  // namespace
 
+dsc2d::Domain domain_of(const Box& box, bool is_torus) {
+    if (!is_torus) return dsc2d::Domain::box(box.min(), box.max());
+    Eigen::Matrix2d periods = Eigen::Matrix2d::Zero();
+    periods.diagonal() = box.sizes();
+    return dsc2d::Domain::torus(periods, box.min());
+}
+
 InitialComplex initial_complex(const ShapeOptions& options, const core::Observer& observer) {
     if (options.shape == Shape::file && std::filesystem::path(options.path).extension() == ".mesh")
         return from_mesh(options);
@@ -208,7 +208,7 @@ InitialComplex initial_complex(const ShapeOptions& options, const core::Observer
     const Box box = options.domain.value_or(default_domain(bounds(outlines.regions)));
     require_room(options, outlines, box);
     const std::string source = options.shape == Shape::file ? options.path : "the shape";
-    const dsc2d::Domain domain = domain_of(options, box);
+    const dsc2d::Domain domain = domain_of(box, options.is_torus);
     require_resolution(source, domain, outlines.edge_length);
     try {
         return {.complex = dsc2d::complex_around(domain, outlines.regions, outlines.edge_length, {}, observer),
@@ -219,16 +219,22 @@ InitialComplex initial_complex(const ShapeOptions& options, const core::Observer
     }
 }
 
-dsc2d::Parameters deformation(const InitialComplex& initial, motion::TopologyPolicy topology) {
+EdgeLimits edge_limits(const InitialComplex& initial) {
     constexpr double longest = 1.6, shortest = 0.4, room = 1.05;
     double least = std::numeric_limits<double>::infinity(), greatest = 0;
     for (const dsc2d::InterfaceSegment& s : dsc2d::Interface(initial.complex).segments) {
         least = std::min(least, s.vector.norm() / initial.edge_length);
         greatest = std::max(greatest, s.vector.norm() / initial.edge_length);
     }
-    dsc2d::Parameters parameters = {.edge_length = initial.edge_length, .topology = topology};
-    parameters.interface_max_edge = std::max(longest, room * greatest);
-    parameters.interface_min_edge = std::min(shortest, least / room);
+    return {.edge_length = initial.edge_length,
+            .shortest = std::min(shortest, least / room),
+            .longest = std::max(longest, room * greatest)};
+}
+
+dsc2d::Parameters deformation(const EdgeLimits& edges, motion::TopologyPolicy topology) {
+    dsc2d::Parameters parameters = {.edge_length = edges.edge_length, .topology = topology};
+    parameters.interface_max_edge = edges.longest;
+    parameters.interface_min_edge = edges.shortest;
     parameters.poor_angle = 25 * std::numbers::pi / 180;
     parameters.needle_angle = 20 * std::numbers::pi / 180;
     parameters.needle_min_length = 2;

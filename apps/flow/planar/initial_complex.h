@@ -5,6 +5,7 @@
 #pragma once
 
 #include "apps/flow/planar/options.h"
+#include "core/fields.h"
 #include "core/observer.h"
 #include "dsc2d/complex.h"
 #include "dsc2d/deform/parameters.h"
@@ -17,11 +18,28 @@ struct InitialComplex {
     double edge_length = 0;
 };
 
+/// That of a mesh in this box.
+dsc2d::Domain domain_of(const Eigen::AlignedBox2d& box, bool is_torus);
+
 /// Throws core::InputError and core::UsageError.
 InitialComplex initial_complex(const ShapeOptions& options, const core::Observer& observer = {});
 
-/// Detail control keeps the edges of the interface about as long as they are at the start, and leaves those of the
-/// start alone as long as they are not changed.
-dsc2d::Parameters deformation(const InitialComplex& initial, motion::TopologyPolicy topology);
+/// What detail control keeps the edges of the interface between.
+struct EdgeLimits {
+    double edge_length = 0;            ///< wanted
+    double shortest = 0, longest = 0;  ///< [edge_length]
+};
+
+template <class Visitor, core::ConstOrNot<EdgeLimits> Value>
+void fields(Visitor& visitor, Value& limits) {
+    auto& [edge_length, shortest, longest] = limits;
+    visitor(edge_length, shortest, longest);
+}
+
+/// They keep the edges about as long as they are at the start, and leave those of the start alone as long as they are
+/// not changed.
+EdgeLimits edge_limits(const InitialComplex& initial);
+
+dsc2d::Parameters deformation(const EdgeLimits& edges, motion::TopologyPolicy topology);
 
 }  // namespace dsc::flow::planar

@@ -11,9 +11,10 @@
 #include "apps/common/progress.h"
 #include "apps/common/run_main.h"
 #include "apps/flow/output.h"
+#include "apps/flow/planar/checkpoint.h"
 #include "apps/flow/planar/flow.h"
 #include "apps/flow/planar/initial_complex.h"
-#include "core/errors.h"
+#include "apps/flow/resume.h"
 #include "dsc2d/interface.h"
 #include "geometry/surface_data.h"
 #include "io/atomic_file.h"
@@ -90,30 +91,63 @@ void write_results(const flow::Options& options, const Complex& complex, const F
                   [&](const std::string& title) { return html_page(result, complex, snapshots, title); });
 }
 
-}  // namespace
-
-int run(const flow::Options& options) {
+FlowResult first_result(const flow::Options& options, const Eigen::AlignedBox2d& domain, double edge_length) {
     const Options& planar = *options.planar;
-    if (planar.shape.shape == Shape::file) require_other_files(planar.shape.path, options.folder);
-    apps::ProgressObserver observer(options.common.progress);
-    InitialComplex initial = initial_complex(planar.shape, observer);
     flow::MotionOptions end_of_motion;
     end_of_motion.period = planar.motion.period;
     if (planar.motion.motion == Motion::vortex) end_of_motion.motion = flow::Motion::vortex;
     FlowResult result;
-    result.domain = initial.domain;
+    result.domain = domain;
     result.is_torus = planar.shape.is_torus;
-    result.edge_length = initial.edge_length;
+    result.edge_length = edge_length;
     result.time = time_steps(options.time, end_of_motion);
-    const Targets targets = motion_targets(planar.motion, initial.domain, initial.edge_length, result.time.until);
-    remove_checkpoint(options.folder);
-    Snapshots snapshots(options.folder, result.time.count, options.snapshots);
-    run_flow(initial.complex, deformation(initial, options.topology), targets, snapshots, observer, result);
-    write_results(options, initial.complex, result, snapshots);
+    return result;
+}
+
+Targets motion_of(const flow::Options& options, const FlowResult& result) {
+    return motion_targets(options.planar->motion, result.domain, result.edge_length, result.time.until);
+}
+
+// From where `result`, `snapshots` and `checkpoints` are to the end.
+int finish(const flow::Options& options, const EdgeLimits& edges, const Targets& targets, Complex& complex,
+           FlowResult& result, Snapshots& snapshots, Checkpoints& checkpoints, apps::ProgressObserver& observer) {
+    remove_unfinished_files(options.folder);
+    run_flow(complex, deformation(edges, options.topology), targets, snapshots, observer, result, &checkpoints);
+    write_results(options, complex, result, snapshots);
     observer.clear();
     if (!options.common.quiet) fmt::print("{}", report_text(result));
-    require_end(result.end, result.reason, options.folder);
+    require_end(result.end, result.reason, options.folder, checkpoints.state().has_value());
     return apps::exit_done;
+}
+
+}  // namespace
+
+int start(const flow::Options& options) {
+    const ShapeOptions& shape = options.planar->shape;
+    if (shape.shape == Shape::file) require_other_files(shape.path, options.folder);
+    apps::ProgressObserver observer(options.common.progress);
+    InitialComplex initial = initial_complex(shape, observer);
+    FlowResult result = first_result(options, initial.domain, initial.edge_length);
+    const Targets targets = motion_of(options, result);
+    remove_checkpoint(options.folder);
+    Checkpoints checkpoints(apps::checkpoint_path(options.folder), checkpoint_kind, options.given,
+                            options.checkpoint_interval);
+    Snapshots snapshots(options.folder, result.time.count, options.snapshots);
+    return finish(options, edge_limits(initial), targets, initial.complex, result, snapshots, checkpoints, observer);
+}
+
+int resume(const flow::Options& options, apps::CheckpointFile& file) {
+    SavedRun saved = file.run<SavedRun>();
+    apps::ProgressObserver observer(options.common.progress);
+    const EdgeLimits edges = saved.state.edges;
+    FlowResult result = first_result(options, saved.state.domain, edges.edge_length);
+    const Targets targets = motion_of(options, result);
+    Complex complex(domain_of(result.domain, result.is_torus), saved.state.complex);
+    Checkpoints checkpoints(apps::checkpoint_path(options.folder), checkpoint_kind, options.given,
+                            options.checkpoint_interval);
+    Snapshots snapshots(options.folder, result.time.count, options.snapshots);
+    take_over(std::move(saved), result, snapshots, checkpoints);
+    return finish(options, edges, targets, complex, result, snapshots, checkpoints, observer);
 }
 
 }  // namespace dsc::flow::planar

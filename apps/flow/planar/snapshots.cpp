@@ -3,9 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "apps/flow/report_parts.h"
 #include "core/assert.h"
@@ -60,60 +61,44 @@ io::ViewLines mesh_lines(const Complex& complex) {
 
 }  // namespace
 
-io::PolyData curve_data(const Complex& complex) {
+DrawnCurves::Interface DrawnCurves::interface(const Complex& complex) {
+    Interface curves;
+    for (const InterfaceCurve& curve : dsc2d::interface_curves(complex))
+        curves.push_back({{curve.right, curve.left}, drawn(complex, curve)});
+    return curves;
+}
+
+io::PolyData DrawnCurves::poly_data(const Interface& curves) {
     io::PolyData data;
     io::VtkData left{.name = "left_label"}, right{.name = "right_label"};
-    for (const InterfaceCurve& curve : dsc2d::interface_curves(complex)) {
-        io::ViewLine line = drawn(complex, curve);
+    for (const DrawnCurve& curve : curves) {
+        const bool is_loop = curve.line.front() == curve.line.back();
         const auto first = static_cast<std::uint32_t>(data.points.size());
-        const bool is_loop = line.front() == line.back();
-        if (is_loop) line.pop_back();
-        std::vector<std::uint32_t>& indices = data.lines.emplace_back();
-        for (const Eigen::Vector3d& p : line) {
-            indices.push_back(static_cast<std::uint32_t>(data.points.size()));
-            data.points.push_back(p);
-        }
+        data.points.insert(data.points.end(), curve.line.begin(), curve.line.end() - (is_loop ? 1 : 0));
+        std::vector<std::uint32_t>& indices = data.lines.emplace_back(data.points.size() - first);
+        std::iota(indices.begin(), indices.end(), first);
         if (is_loop) indices.push_back(first);
-        left.values.push_back(curve.left);
-        right.values.push_back(curve.right);
+        right.values.push_back(curve.labels[0]);
+        left.values.push_back(curve.labels[1]);
     }
     data.cell_data = {left, right};
     return data;
 }
 
-Snapshots::Snapshots(const std::filesystem::path& folder, int steps, int count) : times_to_keep_(steps, count) {
-    if (count > 0) files_.emplace(folder, "series");
-}
-
-void Snapshots::keep(const Complex& complex, double time) {
-    times_.push_back(time);
-    Lines& lines = frames_.emplace_back();
-    for (const InterfaceCurve& curve : dsc2d::interface_curves(complex))
-        lines[{curve.right, curve.left}].push_back(drawn(complex, curve));
-    files_->add(time, curve_data(complex));
-}
-
-void Snapshots::add(const Complex& complex, int step, double time) {
-    if (times_to_keep_.take(step)) keep(complex, time);
-}
-
-void Snapshots::add_last(const Complex& complex, int step, double time) {
-    if (times_to_keep_.take_last(step)) keep(complex, time);
-}
-
 std::vector<io::ViewSeries> Snapshots::series() const {
     std::map<std::array<int, 2>, io::ViewSeries> by_labels;
-    for (const Lines& frame : frames_)
-        for (const auto& [labels, lines] : frame) by_labels.try_emplace(labels);
+    for (const Frame& frame : frames())
+        for (const DrawnCurve& curve : frame.interface) by_labels.try_emplace(curve.labels);
     std::vector<io::ViewSeries> result;
     for (auto& [labels, series] : by_labels) {
         series.name = sides_name(labels[0], labels[1]);
         series.colour = label_colour(labels[1]);
         series.width = 2.5;
-        series.times = times_;
-        for (const Lines& frame : frames_) {
-            const auto found = frame.find(labels);
-            series.frames.push_back(found == frame.end() ? std::vector<io::ViewLine>{} : found->second);
+        for (const Frame& frame : frames()) {
+            series.times.push_back(frame.time);
+            std::vector<io::ViewLine>& lines = series.frames.emplace_back();
+            for (const DrawnCurve& curve : frame.interface)
+                if (curve.labels == labels) lines.push_back(curve.line);
         }
         result.push_back(std::move(series));
     }

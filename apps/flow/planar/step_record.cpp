@@ -36,6 +36,15 @@ UnchangedEdges::UnchangedEdges(const Complex& complex) : number_(complex.vertex_
     first_ = numbered_edges(complex);
 }
 
+UnchangedEdges::UnchangedEdges(const Complex& complex, const State& state)
+    : number_(complex.vertex_attributes(), 0), first_(state.first) {
+    for (std::uint32_t i = 0; i < state.numbers.size(); ++i) number_[VertexId(i)] = state.numbers[i];
+}
+
+UnchangedEdges::State UnchangedEdges::state() const {
+    return {.numbers = {number_.values().begin(), number_.values().end()}, .first = first_};
+}
+
 std::vector<UnchangedEdges::Key> UnchangedEdges::numbered_edges(const Complex& complex) const {
     std::vector<Key> keys;
     for (std::uint32_t i = 0; i < complex.edge_capacity(); ++i) {

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "apps/flow/component_tracker.h"
+#include "core/fields.h"
 #include "dsc2d/complex.h"
 #include "dsc2d/components.h"
 #include "dsc2d/label_statistics.h"
+#include "motion/step_counts_fields.h"
 #include "motion/step_report.h"
 
 namespace dsc::flow::planar {
@@ -24,6 +26,12 @@ struct Unfinished {
     Point2 remaining = Point2::Zero();
     bool is_in_contact = false;  ///< stopped by the topology policy
 };
+
+template <class Visitor, core::ConstOrNot<Unfinished> Value>
+void fields(Visitor& visitor, Value& motion) {
+    auto& [place, remaining, is_in_contact] = motion;
+    visitor(place, remaining, is_in_contact);
+}
 
 struct StepRecord {
     int step = 0;  ///< 0: before the first one
@@ -43,19 +51,41 @@ struct StepRecord {
     std::vector<std::pair<std::string, double>> milliseconds;  ///< by phase
 };
 
+template <class Visitor, core::ConstOrNot<StepRecord> Value>
+void fields(Visitor& visitor, Value& record) {
+    auto& [step, time, vertices, triangles, edges, unchanged, labels, min_angle, max_angle, inverted, is_complete,
+           substeps, unfinished, counts, milliseconds] = record;
+    visitor(step, time, vertices, triangles, edges, unchanged, labels, min_angle, max_angle, inverted, is_complete,
+            substeps, unfinished, counts, milliseconds);
+}
+
 /// Knows the edges of the first interface by their vertices.
 class UnchangedEdges {
 public:
+    using Key = std::array<std::uint32_t, 2>;
+    /// With which it goes on for a complex with the same handles.
+    struct State {
+        std::vector<std::uint32_t> numbers;  ///< of the vertices
+        std::vector<Key> first;
+    };
+
     explicit UnchangedEdges(const dsc2d::Complex& complex);
+    UnchangedEdges(const dsc2d::Complex& complex, const State& state);
     double share(const dsc2d::Complex& complex) const;
+    State state() const;
 
 private:
-    using Key = std::array<std::uint32_t, 2>;
     std::vector<Key> numbered_edges(const dsc2d::Complex& complex) const;
 
     core::Attribute<core::VertexId, std::uint32_t> number_;  ///< from 1; 0: was not there
     std::vector<Key> first_;                                 ///< ascending
 };
+
+template <class Visitor, core::ConstOrNot<UnchangedEdges::State> Value>
+void fields(Visitor& visitor, Value& state) {
+    auto& [numbers, first] = state;
+    visitor(numbers, first);
+}
 
 /// The cells of a planar complex, for its components.
 struct Triangles {

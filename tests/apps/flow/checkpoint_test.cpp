@@ -6,9 +6,10 @@
 
 #include "apps/flow/flow.h"
 #include "apps/flow/initial_mesh.h"
+#include "apps/flow/resume.h"
 #include "apps/flow/targets.h"
-#include "core/errors.h"
 #include "io/atomic_file.h"
+#include "tests/apps/flow/stop_after.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace dsc;
@@ -18,26 +19,18 @@ namespace {
 
 constexpr int steps = 10, interval = 3;
 
-class StopAfter final : public core::Observer {
-public:
-    explicit StopAfter(int count) : left_(count) {}
-    void progress(std::string_view, double, std::string_view) override { --left_; }
-    bool is_cancelled() const override { return left_ <= 0; }
-
-private:
-    int left_;
-};
-
 /// A small ball that shrinks, from its start or from the checkpoint in its folder.
 struct Run {
     Run(const std::filesystem::path& folder, bool is_resumed)
-        : path(checkpoint_path(folder)), checkpoints(path, io::Json::object(), interval), snapshots(folder, steps, 4) {
+        : path(apps::checkpoint_path(folder)),
+          checkpoints(path, checkpoint_kind, io::Json::object(), interval),
+          snapshots(folder, steps, 4) {
         if (is_resumed) {
-            SavedRun saved = read_checkpoint(path);
-            result = std::move(saved.result);
+            auto saved = apps::CheckpointFile(path, checkpoint_kind).run<SavedRun>();
             mesh.emplace(saved.state.tets);
-            checkpoints.restore(std::move(saved.state));
-            for (Snapshots::Frame& frame : saved.frames) snapshots.restore(std::move(frame));
+            result.domain = saved.state.domain;
+            result.edge_length = saved.state.edge_length;
+            take_over(std::move(saved), result, snapshots, checkpoints);
         } else {
             core::Observer observer;
             const InitialMesh initial =
@@ -77,7 +70,7 @@ TEST_CASE("a run that is interrupted goes on from the checkpoint before, and bec
     undisturbed.go(observer);
     REQUIRE(undisturbed.result.end == FlowEnd::done);
 
-    StopAfter stop(8);
+    tests::StopAfter stop(8);
     Run interrupted(other.path(), false);
     interrupted.go(stop);
     REQUIRE(interrupted.result.end == FlowEnd::cancelled);
@@ -95,47 +88,4 @@ TEST_CASE("a run that is interrupted goes on from the checkpoint before, and bec
     CHECK(other.content() == one.content());
     for (const std::string& name : one.content())
         if (name != "checkpoint") CHECK(io::read_file(one / name) == io::read_file(other / name));
-}
-
-TEST_CASE("a checkpoint has everything of a run up to its step and nothing later") {
-    const tests::TemporaryFolder folder;
-    core::Observer observer;
-    Run run(folder.path(), false);
-    run.result.events.push_back({.kind = "split", .step = 2, .time = 0.1, .place = Point3(1, 2, 3), .label = 7});
-    run.result.events.push_back({.kind = "merge", .step = 9, .time = 0.2, .place = Point3(4, 5, 6), .label = 0});
-    run.go(observer);
-    RunState state{.step = 4, .seconds = 1.5, .tets = run.mesh->data()};
-    state.edge_lengths.assign(state.tets.vertices.size(), 0.1);
-    state.unchanged = {std::vector<std::uint32_t>(state.tets.vertices.size(), 3), {{1, 2, 3}, {2, 3, 4}}};
-    const io::Json options = io::Json::object({{"SHAPE", "sphere"}, {"--quiet", true}});
-    write_checkpoint(run.path, options, state, run.result, run.snapshots);
-    const SavedRun saved = read_checkpoint(run.path);
-    CHECK(saved.options == options);
-    CHECK(saved.state.step == 4);
-    CHECK(saved.state.seconds == 1.5);
-    CHECK(saved.state.tets.vertices == state.tets.vertices);
-    CHECK(saved.state.tets.tets == state.tets.tets);
-    CHECK(saved.state.tets.labels == state.tets.labels);
-    CHECK(saved.state.edge_lengths == state.edge_lengths);
-    CHECK(saved.state.unchanged.numbers == state.unchanged.numbers);
-    CHECK(saved.state.unchanged.first == state.unchanged.first);
-    CHECK(saved.result.domain.isApprox(run.result.domain, 0));
-    CHECK(saved.result.edge_length == run.result.edge_length);
-
-    FlowResult expected = run.result;
-    expected.steps.resize(5);
-    expected.events.resize(1);
-    FlowResult found = saved.result;
-    expected.end = found.end, expected.reason = found.reason, expected.time = found.time;
-    expected.seconds = found.seconds;
-    CHECK(report_json(found, {}) == report_json(expected, {}));
-    REQUIRE(saved.frames.size() == 2);
-    for (std::size_t i = 0; i < saved.frames.size(); ++i) {
-        const Snapshots::Frame &kept = run.snapshots.frames()[i], &read = saved.frames[i];
-        CHECK(read.step == kept.step);
-        CHECK(read.time == kept.time);
-        CHECK(read.interface.surface.vertices == kept.interface.surface.vertices);
-        CHECK(read.interface.surface.triangles == kept.interface.surface.triangles);
-        CHECK(read.interface.sides == kept.interface.sides);
-    }
 }

@@ -13,6 +13,7 @@
 #include "dsc2d/label_statistics.h"
 #include "dsc2d/validate.h"
 #include "motion/curl_noise.h"
+#include "tests/apps/flow/stop_after.h"
 #include "tests/support/seed.h"
 
 using namespace dsc;
@@ -26,7 +27,7 @@ namespace {
 /// A shape, its mesh and a run of it.
 struct Run {
     explicit Run(const ShapeOptions& shape, TopologyPolicy policy = TopologyPolicy::preserved)
-        : initial(initial_complex(shape)), parameters(deformation(initial, policy)) {
+        : initial(initial_complex(shape)), parameters(deformation(edge_limits(initial), policy)) {
         result.domain = initial.domain;
         result.is_torus = shape.is_torus;
         result.edge_length = initial.edge_length;
@@ -252,14 +253,7 @@ TEST_CASE("motion that is no number, or leads out of the box, ends the run in it
 }
 
 TEST_CASE("a run can be stopped, and the same run has the same bits") {
-    class Stop final : public core::Observer {
-    public:
-        void progress(std::string_view, double, std::string_view) override { --left_; }
-        bool is_cancelled() const override { return left_ <= 0; }
-
-    private:
-        int left_ = 3;
-    } stop;
+    tests::StopAfter stop(3);
     Run run({.shape = Shape::disc});
     run.go(motion_targets({}, run.initial.domain, run.initial.edge_length, 1), 10, 1, stop);
     CHECK(run.result.end == FlowEnd::cancelled);

@@ -38,7 +38,7 @@ TEST_CASE("every shape by name has a valid mesh of good angles with its defaults
         for (const auto& label : statistics) area += label.area;
         CHECK(area == Approx(initial.domain.volume()).epsilon(1e-12));
         // Detail control has nothing to do at the start.
-        const dsc2d::Parameters parameters = deformation(initial, motion::TopologyPolicy::adaptive);
+        const dsc2d::Parameters parameters = deformation(edge_limits(initial), motion::TopologyPolicy::adaptive);
         CHECK_NOTHROW(parameters.validate());
         for (const auto& s : dsc2d::Interface(initial.complex).segments) {
             REQUIRE(s.vector.norm() < *parameters.interface_max_edge * initial.edge_length);

@@ -113,7 +113,7 @@ TEST_CASE("snapshots go to a series of files and to lines for each pair of label
         REQUIRE(lines.frames.size() == 3);
         CHECK_FALSE(lines.frames[2].empty());
     }
-    const io::PolyData data = curve_data(complex);
+    const io::PolyData data = DrawnCurves::poly_data(DrawnCurves::interface(complex));
     std::size_t segments = 0;
     for (const auto& line : data.lines) segments += line.size() - 1;
     CHECK(segments == dsc2d::Interface(complex).segments.size());
