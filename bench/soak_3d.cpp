@@ -11,13 +11,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "apps/common/command_line.h"
 #include "apps/common/run_main.h"
 #include "core/errors.h"
-#include "core/stopwatch.h"
 #include "dsc3d/deform/deformer.h"
 #include "dsc3d/generate/fit.h"
 #include "dsc3d/generate/lattice.h"
@@ -34,8 +36,10 @@ using namespace dsc::dsc3d;
 constexpr double spacing = 0.17;
 constexpr double edge_length = 0.11;
 constexpr int steps_per_draw = 50;
-constexpr double scarce = 0.17;         // share of the domain below which a label is inflated,
-constexpr double urgent = 0.13;         // ... and below which nothing else moves it
+constexpr int background = 0;
+constexpr double restoring_rate = 0.1;  // share of what an object lacks that comes back in a step
+constexpr double wall_layer = 1;        // in which everything is driven off the wall [edge length]
+constexpr double tension = 0.1;         // way per curvature, where nothing may merge [edge length^2]
 constexpr double least_allowed = 0.10;  // share of the domain that every label has to keep
 constexpr double stride = 0.5;          // largest displacement of a step [edge length]
 constexpr double max_frequency = 2;     // of the noise: its shortest waves are 4.5 edges long
@@ -64,12 +68,15 @@ private:
     int background_;
 };
 
-// A ball of a quarter of the domain; with three labels, of two halves.
+// A ball of a quarter of the domain; with three labels, the halves of a rounded cube of two fifths.
 Mesh start_mesh(int labels) {
     Mesh mesh(lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, spacing));
-    const auto ball = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.4; };
-    fit(mesh, ball, {.inside = 1});
-    if (labels == 3) fit(mesh, [&](const Point3& p) { return std::max(p.x() - 0.5, ball(p)); }, {.inside = 2});
+    const auto body = [&](const Point3& p) {
+        const Eigen::Array3d x = (p - Point3(0.5, 0.5, 0.5)).array();
+        return (labels == 2 ? x.matrix().norm() : std::pow(x.pow(4).sum(), 0.25)) - 0.4;
+    };
+    fit(mesh, body, {.inside = 1});
+    if (labels == 3) fit(mesh, [&](const Point3& p) { return std::max(p.x() - 0.5, body(p)); }, {.inside = 2});
     return mesh;
 }
 
@@ -98,36 +105,76 @@ std::vector<Eigen::Vector3d> normals_of(const Mesh& mesh, int label) {
     return normals;
 }
 
+using Ways = std::vector<Eigen::Vector3d>;
 using Targets = std::vector<std::optional<Point3>>;
 
-Targets targets_of(const Mesh& mesh, const motion::VelocityField<3>& noise,
-                   const std::vector<LabelStatistics>& labels) {
+// Every object is blown up, or let shrink, towards the volume it had, evenly over its interface.
+void restore_volumes(const Mesh& mesh, std::span<const LabelStatistics> labels, std::span<const LabelStatistics> wanted,
+                     Ways& ways) {
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        if (labels[k].label == background) continue;
+        const double offset = restoring_rate * (wanted[k].volume - labels[k].volume) / labels[k].interface_area;
+        const std::vector<Eigen::Vector3d> normals = normals_of(mesh, labels[k].label);
+        for (std::size_t i = 0; i < ways.size(); ++i)
+            if (!normals[i].isZero(0)) ways[i] += offset * normals[i].normalized();
+    }
+}
+
+// The interface contracts as a soap film does, at a speed in proportion to its curvature.
+void relax_interface(const Mesh& mesh, Ways& ways) {
     const Complex& complex = mesh.complex();
-    std::vector<Eigen::Vector3d> way(complex.vertex_capacity(), Eigen::Vector3d::Zero());
+    std::vector<Eigen::Vector3d> gradients(ways.size(), Eigen::Vector3d::Zero());  // of the area
+    std::vector<double> areas(ways.size(), 0.0);
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        const FaceId f(i);
+        if (complex.is_deleted(f) || !complex.is_interface(f)) continue;
+        const FaceVertices v = complex.vertices(f);
+        const Eigen::Vector3d scaled =
+            (mesh.position(v[1]) - mesh.position(v[0])).cross(mesh.position(v[2]) - mesh.position(v[0]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d side = mesh.position(v[(k + 2) % 3]) - mesh.position(v[(k + 1) % 3]);
+            gradients[v[k].index()] += 0.5 * scaled.normalized().cross(side);
+            areas[v[k].index()] += scaled.norm() / 6;
+        }
+    }
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        if (areas[i] > 0) ways[i] -= tension * edge_length * edge_length / areas[i] * gradients[i];
+}
+
+// Inwards, the more the nearer a wall is: walls are not what is soaked.
+Eigen::Vector3d off_walls(const Point3& p) {
+    Eigen::Vector3d way;
+    for (int k = 0; k < 3; ++k) {
+        const double low = std::max(0.0, 1 - p[k] / (wall_layer * edge_length));
+        const double high = std::max(0.0, 1 - (1 - p[k]) / (wall_layer * edge_length));
+        way[k] = stride * edge_length * (low - high);
+    }
+    return way;
+}
+
+Targets targets_of(const Mesh& mesh, const motion::VelocityField<3>& noise, std::span<const LabelStatistics> labels,
+                   std::span<const LabelStatistics> wanted, motion::TopologyPolicy topology) {
+    const Complex& complex = mesh.complex();
+    const auto is_moved = [&](VertexId v) {
+        return !complex.is_deleted(v) && complex.is_interface(v) && !complex.is_boundary(v);
+    };
+    Ways ways(complex.vertex_capacity(), Eigen::Vector3d::Zero());
     double largest = 0;
-    for (std::uint32_t i = 0; i < complex.vertex_capacity(); ++i) {
-        const VertexId v(i);
-        if (complex.is_deleted(v) || !complex.is_interface(v) || complex.is_boundary(v)) continue;
-        way[i] = noise(mesh.position(v), 0);
-        largest = std::max(largest, way[i].norm());
+    for (std::uint32_t i = 0; i < ways.size(); ++i) {
+        if (!is_moved(VertexId(i))) continue;
+        ways[i] = noise(mesh.position(VertexId(i)), 0);
+        largest = std::max(largest, ways[i].norm());
     }
-    for (Eigen::Vector3d& w : way) w *= stride * edge_length / largest;
-    for (const LabelStatistics& label : labels) {
-        if (label.volume > scarce) continue;
-        const double share = std::min(1.0, (scarce - label.volume) / (scarce - urgent));
-        const std::vector<Eigen::Vector3d> normals = normals_of(mesh, label.label);
-        for (std::size_t i = 0; i < way.size(); ++i)
-            if (!normals[i].isZero(0))
-                way[i] = (1 - share) * way[i] + share * stride * edge_length * normals[i].normalized();
-    }
-    Targets targets(complex.vertex_capacity());
-    for (std::uint32_t i = 0; i < targets.size(); ++i) {
-        const VertexId v(i);
-        if (complex.is_deleted(v) || !complex.is_interface(v) || complex.is_boundary(v)) continue;
-        const Point3& p = mesh.position(v);
-        // What comes to a wall rests there, half an edge length in front: walls are not what is soaked.
-        const double to_wall = std::min(p.minCoeff(), (Point3::Ones() - p).minCoeff()) / edge_length;
-        targets[i] = p + std::clamp(to_wall - 0.5, 0.0, 1.0) * way[i];
+    for (Eigen::Vector3d& way : ways) way *= stride * edge_length / largest;
+    restore_volumes(mesh, labels, wanted, ways);
+    if (topology == motion::TopologyPolicy::preserved) relax_interface(mesh, ways);
+    Targets targets(ways.size());
+    for (std::uint32_t i = 0; i < ways.size(); ++i) {
+        if (!is_moved(VertexId(i))) continue;
+        const Point3& p = mesh.position(VertexId(i));
+        Eigen::Vector3d way = ways[i] + off_walls(p);
+        way *= std::min(1.0, stride * edge_length / way.norm());
+        targets[i] = p + way;
     }
     return targets;
 }
@@ -143,7 +190,7 @@ double arrived(std::size_t targeted, std::size_t in_contact, std::size_t unfinis
 
 int soak(const SoakOptions& options) {
     Mesh mesh = start_mesh(options.labels);
-    EventCounter events(0);
+    EventCounter events(background);
     Deformer deformer(
         mesh,
         {.edge_length = edge_length, .seed = static_cast<std::uint64_t>(options.seed), .topology = options.topology},
@@ -161,10 +208,10 @@ int soak(const SoakOptions& options) {
                                                .max_frequency = max_frequency,
                                                .seed = static_cast<std::uint64_t>(options.seed) * 1000003 +
                                                        static_cast<std::uint64_t>(step / steps_per_draw)});
-        const Targets targets = targets_of(mesh, noise, labels);
-        const core::Stopwatch watch;
+        const Targets targets = targets_of(mesh, noise, labels, first, options.topology);
+        const std::clock_t start = std::clock();
         const StepReport report = deformer.step(targets);
-        seconds += watch.seconds();
+        seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         targeted +=
             static_cast<std::size_t>(std::ranges::count_if(targets, [](const auto& t) { return t.has_value(); }));
         for (const auto& motion : report.unfinished) ++(motion.is_locked ? in_contact : unfinished);
