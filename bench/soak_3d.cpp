@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A long life of a small complex: curl noise that is drawn anew every 50 steps stirs two or three labels, the largest
-// displacement of a step half an edge length; a label that gets scarce is inflated. After every step the whole complex
-// is validated: relations, orientation by exact predicate, manifoldness. Exit code 1 at the first failure.
+// A long life of a small complex: curl noise that is drawn anew every 50 steps stirs two or three labels. Three motions
+// are added to it, none of which the noise itself asks for: every object is blown up or let shrink towards the volume
+// it had at first, since contacts and resampling lose some; the interface contracts a little as a soap film does, more
+// where nothing may merge or split, since noise alone would fold it until the edges can't tell its sheets apart; and
+// it is driven off the walls, where it would gather. The sum is cut to half an edge length in a step. After every step
+// the whole complex is validated: relations, orientation by exact predicate, manifoldness. Exit code 1 at the first
+// failure.
 //
 //     soak_3d                                        # 10,000 steps, two labels, adaptive
 //     soak_3d --labels 3
@@ -11,13 +15,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 #include <fstream>
-#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "apps/common/command_line.h"
 #include "apps/common/run_main.h"
 #include "core/errors.h"
-#include "core/stopwatch.h"
 #include "dsc3d/deform/deformer.h"
 #include "dsc3d/generate/fit.h"
 #include "dsc3d/generate/lattice.h"
@@ -34,11 +42,19 @@ using namespace dsc::dsc3d;
 constexpr double spacing = 0.17;
 constexpr double edge_length = 0.11;
 constexpr int steps_per_draw = 50;
-constexpr double scarce = 0.17;         // share of the domain below which a label is inflated,
-constexpr double urgent = 0.13;         // ... and below which nothing else moves it
+constexpr int background = 0;
+constexpr double restoring_rate = 0.3;  // share of what an object lacks that comes back in a step
+constexpr double wall_layer = 1;        // in which everything is driven off the wall [edge length]
 constexpr double least_allowed = 0.10;  // share of the domain that every label has to keep
 constexpr double stride = 0.5;          // largest displacement of a step [edge length]
-constexpr double max_frequency = 2;     // of the noise: its shortest waves are 4.5 edges long
+
+/// What a topology policy is stirred with.
+struct Regime {
+    double max_frequency;  ///< of the noise: its shortest waves are 6.4 edges long, or 9
+    double tension;        ///< way per curvature in a step [edge length^2]
+};
+constexpr Regime adaptive_regime = {.max_frequency = 1.5, .tension = 0.02};
+constexpr Regime preserved_regime = {.max_frequency = 1, .tension = 0.15};
 
 // What a run of the full length has to reach.
 constexpr int least_events = 100;       // merges, and splits, when these are allowed
@@ -55,21 +71,20 @@ struct SoakOptions {
 
 class EventCounter final : public Listener {
 public:
-    explicit EventCounter(int background) : background_(background) {}
-    void on_event(const Event& event) override { ++(event.label == background_ ? merges : splits); }
+    void on_event(const Event& event) override { ++(event.label == background ? merges : splits); }
 
     int merges = 0, splits = 0;
-
-private:
-    int background_;
 };
 
-// A ball of a quarter of the domain; with three labels, of two halves.
+// A ball of a quarter of the domain; with three labels, the halves of a rounded cube of two fifths.
 Mesh start_mesh(int labels) {
     Mesh mesh(lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, spacing));
-    const auto ball = [](const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.4; };
-    fit(mesh, ball, {.inside = 1});
-    if (labels == 3) fit(mesh, [&](const Point3& p) { return std::max(p.x() - 0.5, ball(p)); }, {.inside = 2});
+    const auto body = [&](const Point3& p) {
+        const Eigen::Array3d x = (p - Point3(0.5, 0.5, 0.5)).array();
+        return (labels == 2 ? x.matrix().norm() : std::pow(x.pow(4).sum(), 0.25)) - 0.4;
+    };
+    fit(mesh, body, {.inside = 1});
+    if (labels == 3) fit(mesh, [&](const Point3& p) { return std::max(p.x() - 0.5, body(p)); }, {.inside = 2});
     return mesh;
 }
 
@@ -79,6 +94,8 @@ std::size_t resident_bytes() {
     file >> whole >> resident;
     return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
+
+bool is_moved(const Mesh& mesh, VertexId v) { return !mesh.complex().is_deleted(v) && mesh.complex().is_interface(v); }
 
 // Out of the label's region, not normalized: zero where it does not reach.
 std::vector<Eigen::Vector3d> normals_of(const Mesh& mesh, int label) {
@@ -98,36 +115,94 @@ std::vector<Eigen::Vector3d> normals_of(const Mesh& mesh, int label) {
     return normals;
 }
 
+using Ways = std::vector<Eigen::Vector3d>;
 using Targets = std::vector<std::optional<Point3>>;
 
-Targets targets_of(const Mesh& mesh, const motion::VelocityField<3>& noise,
-                   const std::vector<LabelStatistics>& labels) {
+// Every object is blown up, or let shrink, towards the volume it had, evenly over its interface.
+void restore_volumes(const Mesh& mesh, std::span<const LabelStatistics> labels, std::span<const LabelStatistics> wanted,
+                     Ways& ways) {
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        if (labels[k].label == background) continue;
+        const double offset = restoring_rate * (wanted[k].volume - labels[k].volume) / labels[k].interface_area;
+        const std::vector<Eigen::Vector3d> normals = normals_of(mesh, labels[k].label);
+        for (std::size_t i = 0; i < ways.size(); ++i)
+            if (!normals[i].isZero(0)) ways[i] += offset * normals[i].normalized();
+    }
+}
+
+// The interface contracts as a soap film does, at a speed in proportion to its curvature, as far as edges of the wanted
+// length resolve it: a vertex counts with an edge length squared at least.
+void relax_interface(const Mesh& mesh, double tension, Ways& ways) {
     const Complex& complex = mesh.complex();
-    std::vector<Eigen::Vector3d> way(complex.vertex_capacity(), Eigen::Vector3d::Zero());
-    double largest = 0;
-    for (std::uint32_t i = 0; i < complex.vertex_capacity(); ++i) {
-        const VertexId v(i);
-        if (complex.is_deleted(v) || !complex.is_interface(v) || complex.is_boundary(v)) continue;
-        way[i] = noise(mesh.position(v), 0);
-        largest = std::max(largest, way[i].norm());
+    std::vector<Eigen::Vector3d> gradients(ways.size(), Eigen::Vector3d::Zero());  // of the area
+    std::vector<double> areas(ways.size(), 0.0);
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        const FaceId f(i);
+        if (complex.is_deleted(f) || !complex.is_interface(f)) continue;
+        const FaceVertices v = complex.vertices(f);
+        const Eigen::Vector3d scaled =
+            (mesh.position(v[1]) - mesh.position(v[0])).cross(mesh.position(v[2]) - mesh.position(v[0]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d side = mesh.position(v[(k + 2) % 3]) - mesh.position(v[(k + 1) % 3]);
+            gradients[v[k].index()] += 0.5 * scaled.normalized().cross(side);
+            areas[v[k].index()] += scaled.norm() / 6;
+        }
     }
-    for (Eigen::Vector3d& w : way) w *= stride * edge_length / largest;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        if (areas[i] > 0)
+            ways[i] -=
+                tension * edge_length * edge_length / std::max(areas[i], edge_length * edge_length) * gradients[i];
+}
+
+// Walls are not what is soaked: in front of them everything is driven inwards, the more the nearer they are,
+Eigen::Vector3d off_walls(const Point3& p) {
+    Eigen::Vector3d way;
+    for (int k = 0; k < 3; ++k) {
+        const double low = std::max(0.0, 1 - p[k] / (wall_layer * edge_length));
+        const double high = std::max(0.0, 1 - (1 - p[k]) / (wall_layer * edge_length));
+        way[k] = stride * edge_length * (low - high);
+    }
+    return way;
+}
+
+// ... and what has come to them recedes along them.
+void recede_along_walls(const Mesh& mesh, std::span<const LabelStatistics> labels, Ways& ways) {
+    for (std::uint32_t i = 0; i < ways.size(); ++i)
+        if (is_moved(mesh, VertexId(i)) && mesh.complex().is_boundary(VertexId(i))) ways[i].setZero();
     for (const LabelStatistics& label : labels) {
-        if (label.volume > scarce) continue;
-        const double share = std::min(1.0, (scarce - label.volume) / (scarce - urgent));
+        if (label.label == background) continue;
         const std::vector<Eigen::Vector3d> normals = normals_of(mesh, label.label);
-        for (std::size_t i = 0; i < way.size(); ++i)
-            if (!normals[i].isZero(0))
-                way[i] = (1 - share) * way[i] + share * stride * edge_length * normals[i].normalized();
+        for (std::uint32_t i = 0; i < ways.size(); ++i) {
+            const VertexId v(i);
+            if (!is_moved(mesh, v) || !mesh.complex().is_boundary(v)) continue;
+            Eigen::Vector3d along = normals[i];
+            for (int k = 0; k < 3; ++k)
+                if (mesh.position(v)[k] == 0 || mesh.position(v)[k] == 1) along[k] = 0;
+            if (!along.isZero(0)) ways[i] -= stride * edge_length * along.normalized();
+        }
     }
-    Targets targets(complex.vertex_capacity());
-    for (std::uint32_t i = 0; i < targets.size(); ++i) {
-        const VertexId v(i);
-        if (complex.is_deleted(v) || !complex.is_interface(v) || complex.is_boundary(v)) continue;
-        const Point3& p = mesh.position(v);
-        // What comes to a wall rests there, half an edge length in front: walls are not what is soaked.
-        const double to_wall = std::min(p.minCoeff(), (Point3::Ones() - p).minCoeff()) / edge_length;
-        targets[i] = p + std::clamp(to_wall - 0.5, 0.0, 1.0) * way[i];
+}
+
+Targets targets_of(const Mesh& mesh, const motion::VelocityField<3>& noise, std::span<const LabelStatistics> labels,
+                   std::span<const LabelStatistics> wanted, double tension) {
+    Ways ways(mesh.complex().vertex_capacity(), Eigen::Vector3d::Zero());
+    double largest = 0;
+    for (std::uint32_t i = 0; i < ways.size(); ++i) {
+        if (!is_moved(mesh, VertexId(i))) continue;
+        ways[i] = noise(mesh.position(VertexId(i)), 0);
+        largest = std::max(largest, ways[i].norm());
+    }
+    for (Eigen::Vector3d& way : ways) way *= stride * edge_length / largest;
+    relax_interface(mesh, tension, ways);
+    restore_volumes(mesh, labels, wanted, ways);
+    for (std::uint32_t i = 0; i < ways.size(); ++i)
+        if (is_moved(mesh, VertexId(i))) ways[i] += off_walls(mesh.position(VertexId(i)));
+    recede_along_walls(mesh, labels, ways);
+    Targets targets(ways.size());
+    for (std::uint32_t i = 0; i < ways.size(); ++i) {
+        if (!is_moved(mesh, VertexId(i))) continue;
+        const double longest = stride * edge_length;
+        targets[i] = mesh.position(VertexId(i)) + ways[i] * (longest / std::max(longest, ways[i].norm()));
     }
     return targets;
 }
@@ -143,7 +218,8 @@ double arrived(std::size_t targeted, std::size_t in_contact, std::size_t unfinis
 
 int soak(const SoakOptions& options) {
     Mesh mesh = start_mesh(options.labels);
-    EventCounter events(0);
+    const Regime& regime = options.topology == motion::TopologyPolicy::preserved ? preserved_regime : adaptive_regime;
+    EventCounter events;
     Deformer deformer(
         mesh,
         {.edge_length = edge_length, .seed = static_cast<std::uint64_t>(options.seed), .topology = options.topology},
@@ -158,13 +234,13 @@ int soak(const SoakOptions& options) {
         if (step % steps_per_draw == 0)
             noise = motion::curl_noise(
                 motion::CurlNoiseParameters<3>{.has_walls = true,
-                                               .max_frequency = max_frequency,
+                                               .max_frequency = regime.max_frequency,
                                                .seed = static_cast<std::uint64_t>(options.seed) * 1000003 +
                                                        static_cast<std::uint64_t>(step / steps_per_draw)});
-        const Targets targets = targets_of(mesh, noise, labels);
-        const core::Stopwatch watch;
+        const Targets targets = targets_of(mesh, noise, labels, first, regime.tension);
+        const std::clock_t start = std::clock();
         const StepReport report = deformer.step(targets);
-        seconds += watch.seconds();
+        seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         targeted +=
             static_cast<std::size_t>(std::ranges::count_if(targets, [](const auto& t) { return t.has_value(); }));
         for (const auto& motion : report.unfinished) ++(motion.is_locked ? in_contact : unfinished);
