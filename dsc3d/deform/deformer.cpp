@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -388,6 +389,15 @@ StepReport Deformer::coarsen_everywhere() {
     DetailControl::update_lengths(context);
     for (double length = parameters_.edge_length; length < longest; length *= level) {
         detail_.collapse_edges(context, relative_length, length);
+        upkeep_.smooth(context);
+    }
+    // Until it gets hardly coarser: what has been in the way has been smoothed or collapsed itself.
+    constexpr double enough = 0.98;
+    for (double count = std::numeric_limits<double>::infinity();
+         static_cast<double>(mesh_.complex().tet_count()) < enough * count;) {
+        count = static_cast<double>(mesh_.complex().tet_count());
+        upkeep_.run(context);
+        detail_.collapse_edges(context, relative_length, longest);
         upkeep_.smooth(context);
     }
     upkeep_.run(context);
