@@ -112,7 +112,7 @@ SheetBehind sheet_behind(RatedMesh& mesh, VertexId v, InterfaceRing& ring) {
             if (there.area == 0) continue;
             const Eigen::Vector3d step = there.place - here.place;
             const double aligned = along.dot(step);
-            if (aligned < 0.7 * step.norm()) continue;
+            if (!(aligned > 0.7 * step.norm())) continue;
             sheet.curvature += (there.normal - here.normal).dot(step) / step.squaredNorm() * aligned;
             weight += aligned;
         }

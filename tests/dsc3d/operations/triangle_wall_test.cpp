@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "core/random.h"
+#include "dsc3d/generate/blocks.h"
 #include "dsc3d/generate/shapes.h"
 #include "dsc3d/operations/flat_surface.h"
 #include "tests/dsc3d/cylinder.h"
@@ -20,7 +21,7 @@ namespace {
 
 /// The vertices of a surface joined to its centre.
 Mesh coned(const geometry::SurfaceData& surface, const Point3& centre) {
-    TetData data{.vertices = surface.vertices};
+    geometry::TetData data{.vertices = surface.vertices};
     const auto middle = static_cast<std::uint32_t>(data.vertices.size());
     data.vertices.push_back(centre);
     for (const auto& [a, b, c] : surface.triangles) data.tets.push_back({middle, a, b, c});
