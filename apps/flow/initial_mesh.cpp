@@ -14,6 +14,7 @@
 #include "dsc3d/generate/tetrahedralize.h"
 #include "dsc3d/generate/vessel.h"
 #include "dsc3d/interface.h"
+#include "dsc3d/operations/triangle_wall.h"
 #include "io/closed_surface.h"
 #include "io/surface_mesh.h"
 #include "io/tet_mesh.h"
@@ -64,6 +65,15 @@ double mean_edge_length(const SurfaceData& surface) {
     return sum / 3 / static_cast<double>(surface.triangles.size());
 }
 
+bool is_in_vessel(const ShapeOptions& options) { return options.sphere || !options.container.empty(); }
+
+SurfaceData read_closed_surface(const std::string& path) {
+    SurfaceData surface = io::read_surface_mesh(path);
+    surface.labels.clear();
+    io::require_closed_surface(path, surface);
+    return surface;
+}
+
 bool is_tet_file(const std::string& path) {
     static const std::set<std::string> extensions = {".mesh", ".msh", ".node", ".ele", ".vtu", ".vtk"};
     return extensions.contains(std::filesystem::path(path).extension().string());
@@ -71,7 +81,7 @@ bool is_tet_file(const std::string& path) {
 
 InitialMesh from_tets(const ShapeOptions& options) {
     if (options.growth) throw core::UsageError("--growth: a tetrahedral mesh from a file has its tetrahedra");
-    if (options.domain || options.sphere)
+    if (options.domain || is_in_vessel(options))
         throw core::UsageError("--domain: a tetrahedral mesh from a file is its own domain");
     InitialMesh result{.data = io::read_tet_mesh(options.path).data, .may_be_too_fine = true};
     const dsc3d::Interface interface(dsc3d::Mesh(result.data, options.path));
@@ -83,12 +93,15 @@ InitialMesh from_tets(const ShapeOptions& options) {
     return result;
 }
 
-// Edges of the vessel grow with the distance from the interface, as those of the tetrahedra do later.
-SurfaceData vessel(const SphericalDomain& sphere, const SurfaceData& interface, double edge_length) {
+// Edges of the sphere grow with the distance from the interface, as those of the tetrahedra do later.
+SurfaceData sphere_around(const SphericalDomain& sphere, const SurfaceData& interface, double edge_length) {
     constexpr double growth = 0.6;
+    // What triangles with edges over which the sphere turns by 6 degrees cut off: no longer ones come (flat_surface.h).
+    constexpr double cut_off = 0.002;
     double farthest = 0;
     for (const Point3& p : interface.vertices) farthest = std::max(farthest, (p - sphere.centre).norm());
-    if (farthest >= sphere.radius) throw core::UsageError("--domain: the surface leaves the sphere; make it larger");
+    if (farthest >= (1 - cut_off) * sphere.radius)
+        throw core::UsageError("--domain: the surface comes out of the triangles of the sphere; make it larger");
     const double length = edge_length + growth * (sphere.radius - farthest);
     // Edges that don't cut off more of the sphere than the deformation does.
     constexpr std::uint32_t least_frequency = 12;
@@ -96,12 +109,14 @@ SurfaceData vessel(const SphericalDomain& sphere, const SurfaceData& interface, 
                             std::max(least_frequency, dsc3d::icosphere_frequency(sphere.radius, length)));
 }
 
-InitialMesh in_sphere(const InterfaceData& interface, const ShapeOptions& options, core::Observer& observer) {
+InitialMesh in_vessel(const InterfaceData& interface, const ShapeOptions& options, core::Observer& observer) {
     InitialMesh result;
-    result.domain = box_around(options.sphere->centre, Point3::Constant(2 * options.sphere->radius));
     result.edge_length = mean_edge_length(interface.surface);
-    result.data = dsc3d::tetrahedralize_within(
-        interface, vessel(*options.sphere, interface.surface, result.edge_length), {}, observer);
+    const SurfaceData vessel = options.sphere ? sphere_around(*options.sphere, interface.surface, result.edge_length)
+                                              : read_closed_surface(options.container);
+    result.domain = options.sphere ? box_around(options.sphere->centre, Point3::Constant(2 * options.sphere->radius))
+                                   : bounds(vessel);
+    result.data = dsc3d::tetrahedralize_within(interface, vessel, {}, observer);
     return result;
 }
 
@@ -119,15 +134,13 @@ InitialMesh around(const Surface& surface, const SurfaceData& triangles, const S
 }
 
 InitialMesh from_surface(const ShapeOptions& options, core::Observer& observer) {
-    SurfaceData surface = io::read_surface_mesh(options.path);
-    surface.labels.clear();
-    io::require_closed_surface(options.path, surface);
+    SurfaceData surface = read_closed_surface(options.path);
     if (options.edge_length) {
         dsc3d::RemeshParameters parameters{.edge_length = *options.edge_length};
         if (options.feature_angle) parameters.feature_angle = *options.feature_angle;
         surface = dsc3d::remeshed(surface, parameters);
     }
-    if (options.sphere) return in_sphere(of_one_label(std::move(surface)), options, observer);
+    if (is_in_vessel(options)) return in_vessel(of_one_label(std::move(surface)), options, observer);
     return around(surface, surface, options, observer);
 }
 
@@ -179,6 +192,7 @@ InterfaceData shape_surface(const ShapeOptions& options) {
 }
 
 dsc3d::Walls domain_walls(const ShapeOptions& options) {
+    if (!options.container.empty()) return dsc3d::container_walls(read_closed_surface(options.container));
     if (!options.sphere) return {};
     return {std::make_shared<dsc3d::SphereWall>(options.sphere->centre, options.sphere->radius)};
 }
@@ -187,7 +201,7 @@ InitialMesh initial_mesh(const ShapeOptions& options, core::Observer& observer) 
     if (options.shape == Shape::file)
         return is_tet_file(options.path) ? from_tets(options) : from_surface(options, observer);
     const InterfaceData data = shape_surface(options);
-    if (options.sphere) return in_sphere(data, options, observer);
+    if (is_in_vessel(options)) return in_vessel(data, options, observer);
     return around(data, data.surface, options, observer);
 }
 

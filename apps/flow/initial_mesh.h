@@ -23,7 +23,7 @@ struct InitialMesh {
 /// Throws core::InputError, core::UsageError and core::RunError.
 InitialMesh initial_mesh(const ShapeOptions& options, core::Observer& observer);
 
-/// The curved walls of the domain.
+/// The curved walls of the domain. Throws core::InputError.
 dsc3d::Walls domain_walls(const ShapeOptions& options);
 
 /// The surface of a shape by name, with the labels on either side. Precondition: not a file.

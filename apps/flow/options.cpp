@@ -2,6 +2,7 @@
 #include "apps/flow/options.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,11 @@ void parse_size(const std::string& text, ShapeOptions& options) {
 
 constexpr std::string_view sphere_prefix = "sphere:";
 
+bool is_surface_file(const std::string& text) {
+    static const std::set<std::string> extensions = {".off", ".obj", ".ply", ".stl"};
+    return extensions.contains(std::filesystem::path(text).extension().string());
+}
+
 SphericalDomain parsed_sphere(const std::string& text) {
     const std::vector<double> n = apps::parsed_numbers("--domain", text.substr(sphere_prefix.size()));
     if ((n.size() != 1 && n.size() != 4) || !(n.back() > 0))
@@ -47,7 +53,8 @@ Eigen::AlignedBox3d parsed_domain(const std::string& text) {
     const std::vector<double> n = apps::parsed_numbers("--domain", text);
     if (n.size() != 6 || !(n[0] < n[3] && n[1] < n[4] && n[2] < n[5]))
         throw core::UsageError("--domain: \"" + text +
-                               "\" is not x0,y0,z0,x1,y1,z1 with lower corner first, or sphere:x,y,z,radius");
+                               "\" is not x0,y0,z0,x1,y1,z1 with lower corner first, sphere:x,y,z,radius or a "
+                               "surface (.off, .obj, .ply, .stl)");
     return {Point3(n[0], n[1], n[2]), Point3(n[3], n[4], n[5])};
 }
 
@@ -68,6 +75,8 @@ void parse_texts(const Texts& texts, Options& options) {
     if (texts.size) parse_size(*texts.size, options.shape);
     if (texts.domain && texts.domain->starts_with(sphere_prefix)) {
         options.shape.sphere = parsed_sphere(*texts.domain);
+    } else if (texts.domain && is_surface_file(*texts.domain)) {
+        options.shape.container = *texts.domain;
     } else if (texts.domain) {
         options.shape.domain = parsed_domain(*texts.domain);
     }
@@ -177,7 +186,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
         {.at_least = 0, .at_most = 2});
     line.text("--domain", texts.domain,
               "x0,y0,z0,x1,y1,z1 (default: the unit box, or twice the size of what has no room there); in space also "
-              "sphere:x,y,z,radius, or sphere:radius around 0.5,0.5,0.5");
+              "sphere:x,y,z,radius, sphere:radius around 0.5,0.5,0.5, or a closed surface (.off, .obj, .ply, .stl), "
+              "whose triangles are kept");
     planar::Texts planar_texts;
     planar::add_options(line, planar_texts);
     line.heading("Motion");

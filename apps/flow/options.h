@@ -40,6 +40,7 @@ struct ShapeOptions {
     std::optional<double> feature_angle;  ///< of a surface from a file that is remeshed [degree]
     std::optional<Eigen::AlignedBox3d> domain;
     std::optional<SphericalDomain> sphere;  ///< instead of a box
+    std::string container;                  ///< instead of a box: the file of a closed surface; empty: none
 };
 
 enum class Motion : std::uint8_t {

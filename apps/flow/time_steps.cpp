@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/flow/time_steps.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,15 @@ constexpr double most_steps = 1e7;
 
 double default_end(const MotionOptions& motion) {
     return motion.motion == Motion::enright || motion.motion == Motion::vortex ? motion.period : 1;
+}
+
+// The path of a step is followed by its chords, which don't see whole turns.
+void require_visible_turns(const MotionOptions& motion, const TimeSteps& time) {
+    if (motion.motion != Motion::rotate) return;
+    const double turn = std::abs(motion.angle) * time.dt / time.until;
+    if (turn > 360)
+        throw core::UsageError(
+            fmt::format("--angle: {:g} degrees in a step are more than a full turn; take more steps", turn));
 }
 
 }  // namespace
@@ -41,6 +52,7 @@ TimeSteps time_steps(const TimeOptions& options, const MotionOptions& motion) {
         }
     }
     if (result.count > most_steps) throw core::UsageError("--steps: has to be at most 10000000");
+    require_visible_turns(motion, result);
     return result;
 }
 

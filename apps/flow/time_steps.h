@@ -17,7 +17,7 @@ struct TimeSteps {
 
 /// What was not given follows from what was, and from the motion: rotation, offset and translation end at time 1,
 /// enright and vortex after one period, curvature flow and expressions at 1; 50 steps. Throws core::UsageError for more
-/// than 10^7 steps.
+/// than 10^7 steps, and for rotations by more than a full turn in one.
 TimeSteps time_steps(const TimeOptions& options, const MotionOptions& motion);
 
 }  // namespace dsc::flow

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,24 +38,40 @@ bool leads_inside(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& way) {
     return inwards > 0;
 }
 
-/// Of a vertex and the interface around it, weighted by area.
+/// Of the interface around one or more vertices, weighted by area, without the triangles at the contact line: what
+/// follows from them must not depend on where the line is.
 struct RingMean {
     Point3 place = Point3::Zero();
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    double area = 0;
+
+    void add(RatedMesh& mesh, VertexId v, InterfaceRing& ring) {
+        std::vector<Point3> line;
+        for (const TetId t : mesh.walker().star(v))
+            for (const VertexId u : mesh.complex().vertices(t))
+                if (mesh.complex().is_boundary(u)) line.push_back(mesh.position(u));
+        const auto is_on_line = [&](const Point3& p) { return std::find(line.begin(), line.end(), p) != line.end(); };
+        const surface::OneRing sheets = ring.gather(mesh, v);
+        for (const surface::RingTriangle& triangle : sheets.triangles) {
+            if (is_on_line(triangle.a) || is_on_line(triangle.b)) continue;
+            const Eigen::Vector3d scaled = (triangle.a - sheets.centre).cross(triangle.b - sheets.centre);
+            place += scaled.norm() * (sheets.centre + triangle.a + triangle.b) / 3;
+            normal += scaled;
+            area += scaled.norm();
+        }
+    }
+    /// How much of the area the normals, as long as theirs, come to together: 1 in a plane.
+    double coherence() const { return normal.norm() / area; }
+    void finish() {
+        place /= area;
+        normal.normalize();
+    }
 };
 
 RingMean mean_of(RatedMesh& mesh, VertexId v, InterfaceRing& ring) {
-    const surface::OneRing sheets = ring.gather(mesh, v);
     RingMean mean;
-    double area = 0;
-    for (const surface::RingTriangle& triangle : sheets.triangles) {
-        const Eigen::Vector3d scaled = (triangle.a - sheets.centre).cross(triangle.b - sheets.centre);
-        mean.place += scaled.norm() * (sheets.centre + triangle.a + triangle.b) / 3;
-        mean.normal += scaled;
-        area += scaled.norm();
-    }
-    mean.place /= area;
-    mean.normal.normalize();
+    mean.add(mesh, v, ring);
+    mean.finish();
     return mean;
 }
 
@@ -89,11 +106,13 @@ SheetBehind sheet_behind(RatedMesh& mesh, VertexId v, InterfaceRing& ring) {
     double weight = 0;
     for (const VertexId u : first) {
         const RingMean here = mean_of(mesh, u, ring);
+        if (here.area == 0) continue;
         for (const VertexId w : neighbours_inside(mesh, u)) {
             const RingMean there = mean_of(mesh, w, ring);
+            if (there.area == 0) continue;
             const Eigen::Vector3d step = there.place - here.place;
             const double aligned = along.dot(step);
-            if (aligned < 0.7 * step.norm()) continue;
+            if (!(aligned > 0.7 * step.norm())) continue;
             sheet.curvature += (there.normal - here.normal).dot(step) / step.squaredNorm() * aligned;
             weight += aligned;
         }
@@ -144,14 +163,11 @@ Quadric quadric_at(RatedMesh& mesh, VertexId v, std::span<const VertexId> vertic
     return quadric;
 }
 
-}  // namespace
-
-Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& off, InterfaceRing& ring,
-                                  const ContactLineParameters& parameters) {
-    if (off.isZero(0)) return Eigen::Vector3d::Zero();
+// By the sheets at the line.
+Eigen::Vector3d slip_of_sheets(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& off, const SheetBehind& sheet,
+                               InterfaceRing& ring, const ContactLineParameters& parameters) {
     const Quadric quadric = quadric_at(mesh, v, along_line(mesh, v), off, ring);
     Eigen::Vector3d slip = quadric.least_slip(quadric.motion, parameters);
-    const SheetBehind sheet = sheet_behind(mesh, v, ring);
     const double length = sheet.way.norm();
     if (length > 0) {
         // What comes out of the wall goes on as a parabola does whose axis is the normal.
@@ -166,6 +182,66 @@ Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vect
     const Quadric behind = quadric_at(mesh, v, neighbours_inside(mesh, v), off, ring);
     slip = behind.least_slip(behind.motion, parameters);
     return slip.dot(behind.normals) > 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : slip;
+}
+
+// Of their rings, which are one smooth sheet; none where they are not, or not there.
+std::optional<RingMean> smooth_mean(RatedMesh& mesh, std::span<const VertexId> vertices, InterfaceRing& ring,
+                                    const ContactLineParameters& parameters) {
+    RingMean mean;
+    for (const VertexId u : vertices) mean.add(mesh, u, ring);
+    if (!(mean.coherence() > parameters.least_coherence)) return std::nullopt;
+    mean.finish();
+    return mean;
+}
+
+// Behind the first row.
+std::vector<VertexId> second_row(RatedMesh& mesh, std::span<const VertexId> first) {
+    std::vector<VertexId> second;
+    for (const VertexId u : first) {
+        const std::vector<VertexId> around = neighbours_inside(mesh, u);
+        second.insert(second.end(), around.begin(), around.end());
+    }
+    core::sort_unique(second);
+    std::erase_if(second, [&](VertexId w) { return std::find(first.begin(), first.end(), w) != first.end(); });
+    return second;
+}
+
+// To where the nearest row behind the line that is a smooth sheet will meet the wall; none where there is no such row.
+std::optional<Eigen::Vector3d> slip_of_rows(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& off, double curvature,
+                                            InterfaceRing& ring, const ContactLineParameters& parameters) {
+    std::vector<VertexId> row = neighbours_inside(mesh, v);
+    std::optional<RingMean> mean = smooth_mean(mesh, row, ring, parameters);
+    if (!mean) {
+        row = second_row(mesh, row);
+        mean = smooth_mean(mesh, row, ring, parameters);
+    }
+    if (!mean) return std::nullopt;
+    const Eigen::Vector3d& normal = mean->normal;
+    const Eigen::Vector3d within = mesh.surface().allowed_on_boundary(v, normal);
+    if (within.norm() < std::sin(parameters.least_angle * std::numbers::pi / 180)) return std::nullopt;
+    const Eigen::Vector3d way = mean->place + off - mesh.position(v);
+    // The parabola of the curvature depends on how far the line is from the row in the end.
+    double distance = normal.dot(way);
+    for (int i = 0; i < 2; ++i) {
+        const double length = (way - distance / within.squaredNorm() * within).norm();
+        const double bend = std::clamp(curvature * length, -parameters.largest_bend, parameters.largest_bend);
+        distance = normal.dot(way) - 0.5 * bend * length;
+    }
+    // What is pulled off is not widened.
+    if (distance > 0 && leads_inside(mesh, v, off)) return Eigen::Vector3d::Zero();
+    const double longest = std::abs(normal.dot(off)) / within.norm() + parameters.recovery * off.norm();
+    const Eigen::Vector3d slip = distance / within.squaredNorm() * within;
+    return slip * std::min(1.0, longest / std::max(longest, slip.norm()));
+}
+
+}  // namespace
+
+Eigen::Vector3d contact_line_slip(RatedMesh& mesh, VertexId v, const Eigen::Vector3d& off, InterfaceRing& ring,
+                                  const ContactLineParameters& parameters) {
+    if (off.isZero(0)) return Eigen::Vector3d::Zero();
+    const SheetBehind sheet = sheet_behind(mesh, v, ring);
+    const auto slip = slip_of_rows(mesh, v, off, sheet.curvature, ring, parameters);
+    return slip ? *slip : slip_of_sheets(mesh, v, off, sheet, ring, parameters);
 }
 
 }  // namespace dsc::dsc3d

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,7 @@ Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& lis
       wanted_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       slip_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       off_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      pull_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       target_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       way_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       is_moving_(mesh.complex().vertex_attributes(), 0) {
@@ -51,7 +53,7 @@ Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters, Listener& lis
 Deformer::Deformer(Mesh& mesh, const DeformParameters& parameters) : Deformer(mesh, parameters, silent_listener()) {}
 
 PassContext Deformer::context(StepReport& report) {
-    return {rated_, parameters_, wanted_length_, way_, region_, listener_, report};
+    return {rated_, parameters_, wanted_length_, way_, pull_, region_, listener_, report};
 }
 
 void Deformer::set_edge_lengths(std::span<const std::optional<double>> lengths) {
@@ -90,10 +92,15 @@ StepReport Deformer::step(std::span<const std::optional<Point3>> targets, const 
     contacts_.begin_step();
     PassContext context = this->context(report);
     const int wanted = moving_.empty() ? 0 : wanted_substeps(path);
-    for (int substep = 0; substep < wanted && !moving_.empty(); ++substep) {
-        aim((substep + 1.0) / wanted, path);
-        take_substep(context, substep, wanted);
-        wait_for_late_ones(context, substep, wanted);
+    double share = 0;
+    for (int substep = 0; substep < wanted; ++substep) {
+        const double end = (substep + 1.0) / wanted;
+        while (share < end && !moving_.empty()) {
+            share = followed_share(share, end, path);
+            aim(share, path);
+            take_substep(context, substep, wanted);
+            wait_for_late_ones(context, substep, wanted);
+        }
     }
     open_leftovers(context);
     report_unfinished(context);
@@ -151,6 +158,7 @@ void Deformer::release_resting_ones(const Path& path) {
 void Deformer::release(VertexId v) {
     is_moving_[v] = 0;
     way_[v].setZero();
+    pull_[v].setZero();
 }
 
 // Once in a step: the interface as a surface, and what hill climbing has left bad.
@@ -243,11 +251,30 @@ Point3 Deformer::wanted_place(VertexId v, double share, const Path& path) const 
     return path ? path(start_[v], share) : Point3(start_[v] + share * (end - start_[v]));
 }
 
+// How far, from `share` towards `end`, contact lines can follow: where a region leaves a wall they are faster than what
+// moves them, and what they lag behind by would be drawn out of the wall.
+double Deformer::followed_share(double share, double end, const Path& path) {
+    double longest = 1;
+    for (const VertexId v : moving_) {
+        if (!mesh_.complex().is_boundary(v)) continue;
+        const Eigen::Vector3d slip = contact_line_slip(rated_, v, way_off_wall(v, end, path) - off_[v], ring_);
+        longest = std::max(longest, slip.norm() / (parameters_.stride * wanted_length_.at(v)));
+    }
+    const double parts = std::min(std::ceil(longest), static_cast<double>(parameters_.most_line_substeps));
+    return parts == 1 ? end : share + (end - share) / parts;
+}
+
+// Of where v would be after this share of the step, without walls.
+Eigen::Vector3d Deformer::way_off_wall(VertexId v, double share, const Path& path) const {
+    const Point3 wanted = wanted_place(v, share, path);
+    return wanted - at_wall(v, wanted);
+}
+
 // What leads off the wall in this substep makes the contact line slip.
 void Deformer::aim_at_wall(VertexId v, double share, const Path& path) {
-    const Point3 wanted = wanted_place(v, share, path);
-    const Eigen::Vector3d off = wanted - at_wall(v, wanted);
-    Eigen::Vector3d slip = contact_line_slip(rated_, v, off - off_[v], ring_);
+    const Eigen::Vector3d off = way_off_wall(v, share, path);
+    pull_[v] = off - off_[v];
+    Eigen::Vector3d slip = contact_line_slip(rated_, v, pull_[v], ring_);
     const double longest = parameters_.stride * wanted_length_.at(v);
     if (slip.norm() > longest) slip *= longest / slip.norm();
     off_[v] = off;
@@ -351,6 +378,8 @@ void Deformer::take_whole_mesh() {
 StepReport Deformer::coarsen_everywhere() {
     // Level by level, with room to recover in between: short edges beside long ones make what can't be collapsed.
     constexpr double level = 1.3;
+    // As coarse as can be without being halved again: what stays too fine costs time in every step.
+    const double relative_length = 0.5 * parameters_.max_edge;
     StepReport report;
     PassContext context = this->context(report);
     take_whole_mesh();
@@ -359,7 +388,16 @@ StepReport Deformer::coarsen_everywhere() {
         if (!mesh_.complex().is_deleted(VertexId(i))) longest = std::max(longest, wanted_length_.at(VertexId(i)));
     DetailControl::update_lengths(context);
     for (double length = parameters_.edge_length; length < longest; length *= level) {
-        detail_.collapse_short_edges(context, length);
+        detail_.collapse_edges(context, relative_length, length);
+        upkeep_.smooth(context);
+    }
+    // Until it gets hardly coarser: what has been in the way has been smoothed or collapsed itself.
+    constexpr double enough = 0.98;
+    for (double count = std::numeric_limits<double>::infinity();
+         static_cast<double>(mesh_.complex().tet_count()) < enough * count;) {
+        count = static_cast<double>(mesh_.complex().tet_count());
+        upkeep_.run(context);
+        detail_.collapse_edges(context, relative_length, longest);
         upkeep_.smooth(context);
     }
     upkeep_.run(context);

@@ -69,6 +69,8 @@ private:
     void set_targets(std::span<const std::optional<Point3>> targets);
     Point3 at_wall(VertexId v, const Point3& target) const { return rated_.on_boundary(v, target); }
     Point3 wanted_place(VertexId v, double share, const Path& path) const;
+    double followed_share(double share, double end, const Path& path);
+    Eigen::Vector3d way_off_wall(VertexId v, double share, const Path& path) const;
     void aim_at_wall(VertexId v, double share, const Path& path);
     int wanted_substeps(const Path& path) const;
     void aim(double share, const Path& path);
@@ -107,6 +109,7 @@ private:
     core::Attribute<VertexId, Point3> wanted_;  ///< the goal of a vertex on a wall, which need not lie on it
     core::Attribute<VertexId, Point3> slip_;    ///< along its wall so far, because of what leads off the wall
     core::Attribute<VertexId, Point3> off_;     ///< from its wall, of where it was wanted last
+    core::Attribute<VertexId, Point3> pull_;    ///< ... and how far that has got in this substep
     core::Attribute<VertexId, Point3> target_;  ///< of the substep
     core::Attribute<VertexId, Point3> way_;     ///< to it, from where the vertex was at the start of the substep
     core::Attribute<VertexId, std::uint8_t> is_moving_;

@@ -2,6 +2,7 @@
 #include "dsc3d/deform/detail.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dsc::dsc3d {
 
@@ -34,11 +35,15 @@ void DetailControl::split_long_edges(PassContext& context) {
     update_lengths(context);
 }
 
-void DetailControl::collapse_short_edges(PassContext& context, double longest) {
+void DetailControl::collapse_short_edges(PassContext& context) {
+    collapse_edges(context, context.parameters.min_edge, std::numeric_limits<double>::infinity());
+}
+
+void DetailControl::collapse_edges(PassContext& context, double relative_length, double length) {
     const Complex& complex = context.complex();
     for (const EdgeId e : context.region.edges_off_interface(complex)) {
-        if (complex.is_deleted(e) || context.relative_length(e) >= context.parameters.min_edge) continue;
-        if (context.length(e) > longest) continue;
+        if (complex.is_deleted(e) || context.relative_length(e) >= relative_length) continue;
+        if (context.length(e) > length) continue;
         for (const VertexId kept : EdgeVertices(complex.vertices(e))) {
             if (!collapse_.propose(context.mesh, e, kept, context.parameters.collapse_quality, proposal_)) continue;
             if (!context.mesh.apply(proposal_)) continue;

@@ -5,8 +5,6 @@
 // divided anew only where it is flat. Cost: linear in the region.
 #pragma once
 
-#include <limits>
-
 #include "dsc3d/deform/pass_context.h"
 #include "dsc3d/operations/edge_collapse.h"
 
@@ -15,8 +13,9 @@ namespace dsc::dsc3d {
 class DetailControl {
 public:
     void split_long_edges(PassContext& context);
-    /// Of those that are not longer than `longest`.
-    void collapse_short_edges(PassContext& context, double longest = std::numeric_limits<double>::infinity());
+    void collapse_short_edges(PassContext& context);
+    /// Those that are shorter than `relative_length`, in wanted lengths, and not longer than `length`.
+    void collapse_edges(PassContext& context, double relative_length, double length);
 
     /// Wanted lengths off the interface follow what has moved in the region.
     static void update_lengths(PassContext& context);

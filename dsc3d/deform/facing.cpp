@@ -121,7 +121,8 @@ std::optional<Facing> across_to_wall(PassContext& context, TetId t, double dista
         for (const VertexId w : complex.vertices(t)) {
             if (!complex.is_boundary(w)) continue;
             const Eigen::Vector3d out = wall_normal(context, w, normal);
-            const double gap = out.dot(context.mesh.position(w) - context.mesh.position(v));
+            const Eigen::Vector3d across = context.mesh.position(w) - context.mesh.position(v);
+            const double gap = std::max(out.dot(across), -normal.dot(across));
             if (gap >= (nearest ? nearest->gap : near)) continue;
             if (normal.dot(out) < context.parameters.wall_cosine) nearest = {v, w, gap, out};
         }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dsc3d/deform/foot.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace dsc::dsc3d {
 
 bool Foot::find(PassContext& context, FaceId f) {
-    if (!gather_patch(context, f) || !is_contracting(context)) return false;
+    if (!gather_patch(context, f) || !(is_contracting(context) || is_pulled_off(context))) return false;
     gather_tets(context, context.complex().label(context.complex().tets(f)[0]));
     return true;
 }
@@ -57,6 +58,26 @@ bool Foot::is_contracting(const PassContext& context) const {
     // What slides along differs in its ways by rounding.
     constexpr double rounding = 1e-9;
     return outwards < -rounding * all;
+}
+
+// Its rim wants to go into the domain, by more than along the wall.
+bool Foot::is_pulled_off(const PassContext& context) const {
+    const Complex& complex = context.complex();
+    Eigen::Vector3d inwards = Eigen::Vector3d::Zero();
+    for (const FaceId f : patch_) {
+        const TetId t = complex.tets(f)[0];
+        const FaceVertices face = complex.oriented_face(t, complex.index_of(t, f));
+        const Point3& p = context.mesh.position(face[0]);
+        inwards -= (context.mesh.position(face[1]) - p).cross(context.mesh.position(face[2]) - p);
+    }
+    inwards.normalize();
+    double off = 0, along = 0;
+    for (const VertexId v : vertices_) {
+        if (!complex.is_interface(v)) continue;
+        off += context.pull[v].dot(inwards);
+        along += context.way[v].norm();
+    }
+    return off > along;
 }
 
 void Foot::gather_tets(PassContext& context, int label) {

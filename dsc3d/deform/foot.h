@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last of a region's contact with a wall: a patch of boundary faces not much wider than an edge, whose rim still
-// contracts. No motion of its vertices makes it vanish: its region has to let go.
-// Source: thesis 4.3.2.1 (relabelling), for the wall. Guarantee: none is found where the patch rests or grows. Cost:
-// linear in the patch, up to its width.
+// contracts, or that is pulled off the wall. No motion of its vertices makes it vanish: its region has to let go.
+// Source: thesis 4.3.2.1 (relabelling), for the wall. Guarantee: none is found where the patch rests, slides or grows.
+// Cost: linear in the patch, up to its width.
 #pragma once
 
 #include <vector>
@@ -22,6 +22,7 @@ public:
 private:
     bool gather_patch(PassContext& context, FaceId f);
     bool is_contracting(const PassContext& context) const;
+    bool is_pulled_off(const PassContext& context) const;
     void gather_tets(PassContext& context, int label);
 
     core::Marks<FaceId> seen_faces_;

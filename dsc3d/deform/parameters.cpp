@@ -23,6 +23,7 @@ void DeformParameters::validate() const {
     require(foot_width > 0, "foot_width", "positive");
     require(crumb_volume >= 0, "crumb_volume", "at least 0");
     require(stride > 0, "stride", "positive");
+    require(most_line_substeps >= 1, "most_line_substeps", "at least 1");
     require(most_substeps >= 1, "most_substeps", "at least 1");
     require(max_substeps >= 1, "max_substeps", "at least 1");
     require(max_stalls >= 1, "max_stalls", "at least 1");

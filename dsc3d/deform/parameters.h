@@ -50,6 +50,9 @@ struct DeformParameters {
     // Motion
     /// The way of a vertex in one substep. > 0.
     double stride = 0.5;
+    /// What is left of a substep is cut into as many parts, at most, so that no contact line slips by more than that in
+    /// one of them. >= 1.
+    int most_line_substeps = 8;
     /// Steps that would take more substeps are refused. >= 1.
     int most_substeps = 100000;
     /// Substeps beyond each that the stride asks for, before what is late is left behind. >= 1.

@@ -18,6 +18,8 @@ struct PassContext {
     const DeformParameters& parameters;
     LocalLength& wanted_length;
     const core::Attribute<VertexId, Point3>& way;  ///< of each vertex in this substep, whether it was made or not
+    /// Of each vertex on the boundary in this substep: how far its motion leads off the wall, where it can't go.
+    const core::Attribute<VertexId, Point3>& pull;
     Region& region;
     Listener& listener;
     StepReport& report;

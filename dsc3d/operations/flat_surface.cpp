@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -43,20 +44,14 @@ public:
         }
     }
 
-    // One patch for each wall that has faces.
+    // One patch for each wall.
     void take_walls() {
-        for (const std::shared_ptr<const Wall>& wall : surface_.walls_) {
-            const auto patch = static_cast<std::int32_t>(surface_.patches_.size());
+        for (const std::shared_ptr<const Wall>& wall : surface_.walls_)
             surface_.patches_.push_back({Point3::Zero(), Eigen::Vector3d::Zero(), wall.get()});
-            const auto is_on_wall = [&](VertexId v) {
-                return (wall->nearest(mesh_.position(v)) - mesh_.position(v)).norm() <= half_tolerance_;
-            };
-            for (std::uint32_t i = 0; i < complex_.face_capacity(); ++i) {
-                const FaceId f(i);
-                if (complex_.is_deleted(f) || !complex_.is_boundary(f) || surface_.patch_[f] != no_patch) continue;
-                const FaceVertices corners = complex_.vertices(f);
-                if (std::all_of(corners.begin(), corners.end(), is_on_wall)) surface_.patch_[f] = patch;
-            }
+        if (surface_.walls_.empty()) return;
+        for (std::uint32_t i = 0; i < complex_.face_capacity(); ++i) {
+            const FaceId f(i);
+            if (!complex_.is_deleted(f) && complex_.is_boundary(f)) surface_.patch_[f] = wall_of(f);
         }
     }
 
@@ -99,6 +94,27 @@ private:
         const FaceVertices v = complex_.oriented_face(t, complex_.index_of(t, f));
         const Point3& a = mesh_.position(v[0]);
         return (mesh_.position(v[1]) - a).cross(mesh_.position(v[2]) - a);
+    }
+
+    // The patch of the wall on which its corners lie and along which it lies. At sharp edges they may lie on several:
+    // then the one that is nearest to its middle.
+    std::int32_t wall_of(FaceId f) const {
+        const FaceVertices corners = complex_.vertices(f);
+        const Point3 middle =
+            (mesh_.position(corners[0]) + mesh_.position(corners[1]) + mesh_.position(corners[2])) / 3;
+        const Eigen::Vector3d along = normal(f).normalized();
+        std::int32_t nearest = no_patch;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < surface_.walls_.size(); ++i) {
+            const Wall& wall = *surface_.walls_[i];
+            const auto distance = [&](const Point3& p) { return (wall.nearest(p) - p).norm(); };
+            const auto is_on_wall = [&](VertexId v) { return distance(mesh_.position(v)) <= half_tolerance_; };
+            if (!std::all_of(corners.begin(), corners.end(), is_on_wall)) continue;
+            if (std::abs(along.dot(wall.normal(middle))) < least_cosine_ || distance(middle) >= least) continue;
+            nearest = static_cast<std::int32_t>(i);
+            least = distance(middle);
+        }
+        return nearest;
     }
 
     std::int32_t new_patch(FaceId seed) {

@@ -96,6 +96,7 @@ FlowResult first_result(const flow::Options& options, const Eigen::AlignedBox2d&
     flow::MotionOptions end_of_motion;
     end_of_motion.period = planar.motion.period;
     if (planar.motion.motion == Motion::vortex) end_of_motion.motion = flow::Motion::vortex;
+    if (planar.motion.motion == Motion::rotate) end_of_motion.angle = planar.motion.angle;
     FlowResult result;
     result.domain = domain;
     result.is_torus = planar.shape.is_torus;

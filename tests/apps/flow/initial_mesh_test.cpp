@@ -119,8 +119,33 @@ TEST_CASE("a ball as the domain is filled to its sphere, whose wall is that sphe
         if (mesh.complex().is_boundary(v))
             REQUIRE((walls[0]->nearest(mesh.position(v)) - mesh.position(v)).norm() < 1e-14);
     }
-    options.sphere->radius = 0.29;
-    CHECK_THROWS_AS(initial_mesh(options, observer), core::UsageError);
+    // The farthest vertex is at 0.3: inside the sphere, but not inside of every triangle with its vertices on it.
+    for (const double radius : {0.29, 0.3003}) {
+        options.sphere->radius = radius;
+        CHECK_THROWS_AS(initial_mesh(options, observer), core::UsageError);
+    }
     options.sphere.reset();
     CHECK(domain_walls(options).empty());
+}
+
+TEST_CASE(
+    "a closed surface from a file as the domain is filled, its triangles are kept, and its curved side is a wall") {
+    const tests::TemporaryFolder folder;
+    const std::string path = (folder / "container.obj").string();
+    const geometry::SurfaceData container = dsc3d::icosphere(Point3(0.5, 0.5, 0.4), 0.5, 6);
+    io::write_surface_mesh(path, container);
+    core::Observer observer;
+    ShapeOptions options = {.shape = Shape::sphere, .radius = 0.2, .edge_length = 0.1, .container = path};
+    const InitialMesh initial = initial_mesh(options, observer);
+    const dsc3d::Mesh mesh(initial.data);
+    CHECK(initial.domain.center().isApprox(Point3(0.5, 0.5, 0.4)));
+    std::size_t boundary_faces = 0;
+    for (std::uint32_t i = 0; i < mesh.complex().face_capacity(); ++i)
+        boundary_faces += mesh.complex().is_boundary(dsc3d::FaceId(i)) ? 1 : 0;
+    CHECK(boundary_faces == container.triangles.size());
+    const dsc3d::Walls walls = domain_walls(options);
+    REQUIRE(walls.size() == 1);
+    for (const Point3& p : container.vertices) CHECK((walls[0]->nearest(p) - p).norm() < 1e-14);
+    options.container = (folder / "absent.obj").string();
+    CHECK_THROWS_AS(initial_mesh(options, observer), core::InputError);
 }

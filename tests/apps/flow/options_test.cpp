@@ -61,6 +61,8 @@ TEST_CASE("a domain is a box or a ball") {
     CHECK(around.shape.sphere->centre == Point3(1, 2, -3));
     CHECK(around.shape.sphere->radius == 0.5);
     CHECK(parsed({"sphere", "--domain", "sphere:0.7"})->shape.sphere->centre == Point3(0.5, 0.5, 0.5));
+    CHECK(parsed({"sphere", "--domain", "vessel.stl"})->shape.container == "vessel.stl");
+    CHECK(parsed({"sphere"})->shape.container.empty());
     for (const char* text : {"sphere:", "sphere:1,2", "sphere:1,2,3,-1", "sphere:0"})
         check_refused({"sphere", "--domain", text}, "--domain");
 }

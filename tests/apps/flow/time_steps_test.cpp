@@ -40,3 +40,11 @@ TEST_CASE("a step that divides the time only up to rounding gives no step more")
     CHECK(one.count == 1);
     CHECK(one.dt == 1);
 }
+
+TEST_CASE("a rotation by more than a full turn in a step is refused: its path would not be followed") {
+    CHECK(time_steps({.steps = 10}, {.angle = -3600}).count == 10);
+    CHECK_THROWS_WITH(time_steps({.steps = 10}, {.angle = 3601}), Catch::Contains("--angle"));
+    CHECK_THROWS_AS(time_steps({}, {.angle = 1e12}), core::UsageError);
+    CHECK_THROWS_AS(time_steps({.dt = 0.5, .until = 0.9}, {.angle = 720}), core::UsageError);
+    CHECK(time_steps({.steps = 10}, {.motion = Motion::shear, .angle = 1e12}).count == 10);
+}

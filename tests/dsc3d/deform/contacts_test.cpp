@@ -27,7 +27,7 @@ struct Squeeze {
     }
     bool run() {
         const PassContext plain = bench.context();
-        PassContext context{plain.mesh,   plain.parameters, plain.wanted_length, plain.way,
+        PassContext context{plain.mesh,   plain.parameters, plain.wanted_length, plain.way, plain.pull,
                             plain.region, events,           plain.report};
         return contacts.run(context, 3, context.parameters.contact_distance);
     }

@@ -19,15 +19,19 @@ Mesh column(double width) {
 
 }  // namespace
 
-TEST_CASE("a narrow patch on a wall whose rim contracts is a foot: all of its region at the patch") {
+TEST_CASE(
+    "a narrow patch on a wall whose rim contracts, or that is pulled off, is a foot: all of its region at the patch") {
     for (const int width : {1, 3}) {
         Mesh mesh = column(width);
         PassBench bench(mesh, {.edge_length = 1});
         PassContext context = bench.context();
         const Point3 middle(3 + 0.5 * width, 3 + 0.5 * width, 0);
         Foot foot;
-        const auto count = [&](double rate, const Point3& shift) {
-            for (const VertexId v : vertices(mesh.complex())) bench.way[v] = rate * (mesh.position(v) - middle) + shift;
+        const auto count = [&](double rate, const Point3& shift, double lift = 0) {
+            for (const VertexId v : vertices(mesh.complex())) {
+                bench.way[v] = rate * (mesh.position(v) - middle) + shift;
+                bench.pull[v] = {0, 0, lift};
+            }
             int found = 0;
             for (const FaceId f : faces(mesh.complex())) {
                 const TetId t = mesh.complex().tets(f)[0];
@@ -53,5 +57,8 @@ TEST_CASE("a narrow patch on a wall whose rim contracts is a foot: all of its re
         CHECK(count(0.1, {0, 0, 0}) == 0);
         CHECK(count(0, {0.3, 0, 0}) == 0);
         CHECK(count(0, {0, 0, 0}) == 0);
+        CHECK(count(0, {0, 0, 0}, 0.1) == (width == 1 ? 2 : 0));
+        CHECK(count(0, {0.3, 0, 0}, 0.1) == 0);
+        CHECK(count(0, {0, 0, 0}, -0.1) == 0);
     }
 }

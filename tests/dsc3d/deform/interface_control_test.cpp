@@ -186,7 +186,7 @@ TEST_CASE("the listener hears of every vertex of the interface that comes or goe
         PassBench bench(mesh, {.edge_length = wanted});
         Census census(mesh);
         InterfaceControl control(mesh);
-        PassContext context{bench.rated,  bench.parameters, bench.wanted_length, bench.way,
+        PassContext context{bench.rated,  bench.parameters, bench.wanted_length, bench.way, bench.pull,
                             bench.region, census,           bench.report};
         control.reconsider();
         control.run(context);

@@ -57,16 +57,18 @@ struct PassBench {
         : parameters(deform),
           rated(mesh, geometry::QualityMeasure::minimum_sine, dsc3d::FlatSurface::flat_boundary(mesh)),
           wanted_length(mesh, deform.edge_length, deform.growth),
-          way(mesh.complex().vertex_attributes(), Point3(Point3::Zero())) {
+          way(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+          pull(mesh.complex().vertex_attributes(), Point3(Point3::Zero())) {
         take_all();
     }
-    dsc3d::PassContext context() { return {rated, parameters, wanted_length, way, region, listener, report}; }
+    dsc3d::PassContext context() { return {rated, parameters, wanted_length, way, pull, region, listener, report}; }
     void take_all() { region.assign(tets(rated.complex())); }
 
     dsc3d::DeformParameters parameters;
     dsc3d::RatedMesh rated;
     dsc3d::LocalLength wanted_length;
     core::Attribute<core::VertexId, Point3> way;
+    core::Attribute<core::VertexId, Point3> pull;
     dsc3d::Region region;
     dsc3d::Listener listener;
     dsc3d::StepReport report;

@@ -4,6 +4,8 @@
 #include "dsc3d/generate/shapes.h"
 #include "dsc3d/generate/tetrahedralize.h"
 #include "dsc3d/generate/vessel.h"
+#include "dsc3d/operations/triangle_wall.h"
+#include "tests/dsc3d/cylinder.h"
 #include "tests/dsc3d/deform/support.h"
 #include "tests/dsc3d/volumes.h"
 
@@ -123,4 +125,27 @@ TEST_CASE("a ball pressed against a spherical vessel touches it and leaves as on
     for (const VertexId v : vertices(press.mesh.complex()))
         if (press.mesh.complex().is_boundary(v))
             REQUIRE((press.mesh.position(v) - centre).norm() == Approx(size).epsilon(1e-14));
+}
+
+TEST_CASE("a ball pressed against the curved side of a container of triangles leaves it as one piece", "[slow]") {
+    geometry::SurfaceData container = cylinder(0.5, 1, 6);
+    for (Point3& p : container.vertices) p = Point3(0.5 + p.z(), 0.5 + p.x(), 0.5 + p.y());
+    const Walls walls = container_walls(container);
+    core::Observer observer;
+    Press press(Mesh(tetrahedralize_within(ball(), container, {}, observer)), walls);
+    const double volume = volume_of_label(press.mesh, 1), domain = domain_volume(press.mesh);
+    press.go(-0.115);
+    CHECK(press.components() == 1);
+    CHECK(press.contact_area() > 0.04);
+    press.pull_off(0.6);
+    CHECK(press.contact_area() == 0);
+    CHECK(press.components() == 1);
+    CHECK(volume_of_label(press.mesh, 1) == Approx(volume).epsilon(0.05));
+    CHECK(domain_volume(press.mesh) == Approx(domain).epsilon(0.01));
+    for (const VertexId v : vertices(press.mesh.complex())) {
+        if (!press.mesh.complex().is_boundary(v)) continue;
+        const Point3& p = press.mesh.position(v);
+        const double to_lid = std::min(std::abs(p.x()), std::abs(1 - p.x()));
+        REQUIRE(std::min(to_lid, (walls[0]->nearest(p) - p).norm()) < 1e-14);
+    }
 }
