@@ -22,7 +22,7 @@ TEST_CASE("a run in the plane that is killed goes on bit for bit, through a merg
                  4, random);
 }
 
-TEST_CASE("... in other motions, killed at twenty random moments", "[slow]") {
+TEST_CASE("a run in the plane goes on in other motions, killed at twenty random moments", "[slow]") {
     core::Random random(seed(44));
     const std::vector<Arguments> runs = {
         {"slotted-disc", "--motion", "rotate"},
