@@ -48,7 +48,7 @@ TEST_CASE("a wall of triangles that approximate a sphere has its places and norm
         const Point3 beside = p + 1e-6 * out.unitOrthogonal();
         CHECK((wall.normal(beside) - wall.normal(p)).norm() < 1e-5);
     }
-    for (const Point3& p : sphere.vertices) CHECK((wall.nearest(p) - p).norm() < 1e-15 * 10);
+    for (const Point3& p : sphere.vertices) CHECK((wall.nearest(p) - p).norm() < 1e-14);
     CHECK_THROWS_AS(TriangleWall(geometry::SurfaceData{}), core::UsageError);
 }
 
@@ -59,7 +59,9 @@ TEST_CASE("a container is cut along its sharp edges, and its plane pieces are no
     const Walls walls = container_walls(cylinder(1, 2, 4));
     REQUIRE(walls.size() == 1);
     // The mantle alone: what lies under the middle of a lid comes to the rim.
-    CHECK((walls[0]->nearest(Point3(0.5, 0, 1.1)) - Point3(1, 0, 1)).norm() < 0.02);
+    const Point3 at_rim = walls[0]->nearest(Point3(0.5, 0, 1.1));
+    CHECK(at_rim.z() == Approx(1));
+    CHECK(at_rim.head<2>().norm() > 0.98);
 }
 
 TEST_CASE("sharp edges of a container keep their vertices, its smooth pieces let them slide") {
