@@ -33,6 +33,8 @@ namespace dsc::reconstruct {
 
 struct ReconstructParameters {
     std::optional<double> detail;  ///< wanted edge length instead of one from the spacing [units of the input]; > 0
+    double least_detail = 0.25;    ///< that `detail` may be [spacing]: finer edges show nothing, and take long; > 0
+    double most_detail = 0.1;      ///< ... [diagonal of the cloud]: with longer ones there is hardly a surface; > 0
     std::optional<double> noise;   ///< standard deviation instead of an estimate [units of the input]; >= 0
     bool makes_tets = false;       ///< improve and return the tetrahedra inside, too
     double min_angle = 12;         ///< that their dihedral angles should have [degree]; (0, 40]
