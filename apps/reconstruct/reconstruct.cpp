@@ -138,6 +138,7 @@ void ReconstructParameters::validate() const {
     front.validate();
     model.validate();
     fit.validate();
+    bridge.validate();
 }
 
 Reconstruction reconstruct(const geometry::PointData& data, const ReconstructParameters& parameters,
@@ -185,6 +186,7 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
             if (watcher) watcher(stage, interface_of(*front.mesh, cloud));
         };
         result.fit = fit_surface(bench, model, wanted, parameters.fit, observer, fit_watcher);
+        if (bridge_gaps(bench, cloud, tree, parameters.bridge, observer) > 0) fit_watcher("gaps bridged");
     }
     end_phase("fit");
 
