@@ -12,6 +12,8 @@ namespace dsc::io {
 namespace {
 
 geometry::PointData read_by_extension(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path))
+        throw core::InputError(path.string(), "", "is a folder", "name a file with points");
     const std::string extension = surface::extension_of(path);
     if (extension == ".ply") return surface::read_ply_points(path);
     if (extension == ".off") return surface::read_off_points(path);

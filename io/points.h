@@ -2,7 +2,10 @@
 // Reads point clouds: the format follows the file's extension.
 //
 //     .xyz .txt .pts .asc .csv   a point for each line: x y z, or x y z nx ny nz and whatever follows, separated by
-//                                blanks or commas, "#" before comments
+//                                blanks or commas, "#" before comments. Before the points there may be a line with
+//                                their count, as scanners write .pts (then columns after the third are normals only
+//                                when there are six), or with the names of the columns, x, y, z and perhaps nx, ny,
+//                                nz among them, in any order
 //     .ply                       the vertices, with nx, ny, nz when they are there
 //     .off .obj                  the vertices, with the normals of NOFF
 //

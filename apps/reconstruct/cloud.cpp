@@ -84,11 +84,16 @@ std::vector<std::uint8_t> strays(const Cloud& cloud, const CloudParameters& para
             reach[i] > parameters.stray_distance * others[k / 2] || popularity[i] <= parameters.stray_popularity ? 1
                                                                                                                  : 0;
     }
+    // Parts hang together by neighbours of each other: those of a stray are on the surface, but not the other way
+    // round.
     core::DisjointSets parts(n);
     std::vector<std::size_t> size(n, 0);
-    for (std::size_t i = 0; i < n; ++i)
-        for (const std::uint32_t j : cloud.neighbours_of(i).first(k))
-            if (is_stray[i] == 0 && is_stray[j] == 0) parts.unite(i, j);
+    for (std::uint32_t i = 0; i < n; ++i)
+        for (const std::uint32_t j : cloud.neighbours_of(i).first(k)) {
+            const bool is_mutual =
+                std::ranges::find(cloud.neighbours_of(j).first(k), i) != cloud.neighbours_of(j).first(k).end();
+            if (is_mutual && is_stray[i] == 0 && is_stray[j] == 0) parts.unite(i, j);
+        }
     for (std::size_t i = 0; i < n; ++i) ++size[parts.find(i)];
     const double least = parameters.stray_part * static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -172,18 +177,17 @@ Cloud prepared_cloud(std::span<const Point3> points, const CloudParameters& para
     if (!std::isfinite(box.sizes().squaredNorm()) || !(box.sizes().squaredNorm() > 0))
         throw core::InputError(source, "", "coordinates too large or too small to be measured", "change their unit");
     for (const std::uint32_t i : cloud.original) cloud.points.push_back(points[i]);
+    set_neighbours(cloud, static_cast<std::size_t>(parameters.neighbours));
+    constexpr int most_rounds = 8;  // strays hide each other
+    for (int round = 0; round < most_rounds && remove_strays(cloud, parameters); ++round)
+        set_neighbours(cloud, static_cast<std::size_t>(parameters.neighbours));
+    std::sort(cloud.strays.begin(), cloud.strays.end());
+    // Now only: moved to the middle of a box with strays the others would lose their digits.
     scale_to_unit_box(cloud);
     const int extent = dimension(cloud.points);
     if (extent < 3)
         throw core::InputError(source, "", std::string("all points are ") + (extent < 2 ? "on a line" : "in a plane"),
                                "a closed surface needs points around a volume");
-    set_neighbours(cloud, static_cast<std::size_t>(parameters.neighbours));
-    constexpr int most_rounds = 4;  // strays hide each other
-    for (int round = 0; round < most_rounds && remove_strays(cloud, parameters); ++round) {
-        scale_to_unit_box(cloud);
-        set_neighbours(cloud, static_cast<std::size_t>(parameters.neighbours));
-    }
-    std::sort(cloud.strays.begin(), cloud.strays.end());
     measure_spacing(cloud, parameters);
     return cloud;
 }

@@ -22,7 +22,8 @@ struct CloudParameters {
     double stray_distance = 3.5;
     /// ... or when it is among the 8 nearest of no more points than this, ...
     int stray_popularity = 0;
-    /// ... or when it belongs to a part of the cloud of less than this share of the points.
+    /// ... or when it belongs to a part, held together by points among the nearest 8 of each other, of less than this
+    /// share of the points.
     double stray_part = 0.002;
 
     /// Throws core::UsageError naming the field.

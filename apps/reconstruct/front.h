@@ -23,7 +23,7 @@ inline constexpr int inside_label = 1;
 
 struct FrontParameters {
     double cell = 2.5;           ///< side of a leaf at the points, in their spacings; > 0
-    double cells_across = 1.3;   ///< at least, through what is thin, as far as the spacing allows; > 0
+    double cells_across = 1.1;   ///< at least, through what is thin, as far as the spacing allows; > 0
     double least_cell = 1.2;     ///< ... and no smaller than this, in spacings; in (0, cell]
     double growth = 0.5;         ///< of the leaves, per distance from the points; > 0
     double margin = 0.2;         ///< of the box around the cloud, in diagonals of the cloud; > 0

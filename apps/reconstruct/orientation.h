@@ -5,7 +5,7 @@
 // Source: Lin, Shi, Liu (2024), "Fast and globally consistent normal orientation based on the winding number normal
 // consistency": steps of steepest descent for the winding number, each followed by turning the moments to its gradient;
 // on a thinned cloud, because only signs are needed; the axes are those of normals.h. Guarantee: unit vectors along the
-// axes; the same bits on any number of threads. Cost: some 3 s for 15,000 points kept, and little for the others.
+// axes; the same bits on any number of threads. Cost: some 5 s for 30,000 points kept, and little for the others.
 #pragma once
 
 #include "apps/reconstruct/cloud.h"
@@ -14,7 +14,7 @@
 namespace dsc::reconstruct {
 
 struct OrientationParameters {
-    std::size_t most_points = 15000;  ///< that are oriented from nothing; the others follow them; >= 4
+    std::size_t most_points = 30000;  ///< that are oriented from nothing; the others follow them; >= 4
     double noise_distance = 4;        ///< least distance of these, in standard deviations of the noise; >= 0
     int rounds = 40;                  ///< of descent; >= 1
     int passes = 6;                   ///< of signs on the whole cloud; >= 1

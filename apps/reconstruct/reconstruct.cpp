@@ -12,6 +12,7 @@
 #include "dsc3d/improve/improve.h"
 #include "dsc3d/interface.h"
 #include "geometry/surface_intersections.h"
+#include "io/number.h"
 
 namespace dsc::reconstruct {
 
@@ -100,6 +101,18 @@ void measure(const Cloud& cloud, const ReconstructParameters& parameters, Recons
     }
 }
 
+void require_sensible_detail(double detail, const Cloud& cloud, const ReconstructParameters& parameters) {
+    const double least = parameters.least_detail * cloud.median_spacing * cloud.scale;
+    const double most = parameters.most_detail * cloud.scale;
+    if (detail < least)
+        throw core::UsageError(
+            "detail: far below the spacing of the points, which say nothing about edges so short; "
+            "give at least " +
+            io::number_text(least, 3));
+    if (detail > most)
+        throw core::UsageError("detail: too long for a cloud of this size; give at most " + io::number_text(most, 3));
+}
+
 // So many that their disk is as wide as noise asks for, which is a ratio of the spacing.
 int wanted_neighbours(double noise, const ReconstructParameters& parameters) {
     const double radius = parameters.noise_reach * noise;
@@ -113,6 +126,8 @@ int wanted_neighbours(double noise, const ReconstructParameters& parameters) {
 void ReconstructParameters::validate() const {
     if (detail && !(*detail > 0)) throw core::UsageError("detail: has to be positive");
     if (noise && !(*noise >= 0)) throw core::UsageError("noise: has to be at least 0");
+    if (!(least_detail > 0)) throw core::UsageError("least_detail: has to be positive");
+    if (!(most_detail > 0)) throw core::UsageError("most_detail: has to be positive");
     if (!(min_angle > 0 && min_angle <= 40)) throw core::UsageError("min_angle: has to be in (0, 40]");
     if (!(invented_distance > 0)) throw core::UsageError("invented_distance: has to be positive");
     if (!(noise_reach > 0)) throw core::UsageError("noise_reach: has to be positive");
@@ -123,6 +138,7 @@ void ReconstructParameters::validate() const {
     front.validate();
     model.validate();
     fit.validate();
+    bridge.validate();
 }
 
 Reconstruction reconstruct(const geometry::PointData& data, const ReconstructParameters& parameters,
@@ -140,6 +156,7 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
 
     observer.progress("measuring the cloud", -1, "");
     Cloud cloud = prepared_cloud(data.points, parameters.cloud, source, parameters.threads);
+    if (parameters.detail) require_sensible_detail(*parameters.detail, cloud, parameters);
     const double noise = parameters.noise ? *parameters.noise / cloud.scale : estimated_noise(cloud);
     SurfaceModelParameters model_parameters = parameters.model;
     const int neighbours = wanted_neighbours(noise / cloud.median_spacing, parameters);
@@ -169,6 +186,7 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
             if (watcher) watcher(stage, interface_of(*front.mesh, cloud));
         };
         result.fit = fit_surface(bench, model, wanted, parameters.fit, observer, fit_watcher);
+        if (bridge_gaps(bench, cloud, tree, parameters.bridge, observer) > 0) fit_watcher("gaps bridged");
     }
     end_phase("fit");
 

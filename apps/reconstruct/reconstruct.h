@@ -2,7 +2,8 @@
 // A point cloud to a closed surface and the tetrahedra inside it.
 // Source: thesis 4.4.3, on the 3D deformable simplicial complex. The steps: the cloud is cleaned and measured
 // (cloud.h), normals are estimated (normals.h) and oriented all at once (orientation.h), the cells of a complex as fine
-// as the cloud are labelled (front.h), and its interface is fitted to patches, creases and corners (surface_fit.h).
+// as the cloud are labelled (front.h), and its interface is fitted to patches, creases and corners (surface_fit.h);
+// where there are no points it is bent as little as possible (bridge.h).
 // Guarantee: the surface is the interface of one complex, all of whose tetrahedra are positive by exact predicate:
 // closed, manifold, oriented outwards, nowhere meeting itself; the same bits for the same input on any number of
 // threads. Cost: some 0.4 ms and 10 kB per point, the most of both for the cells.
@@ -17,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/reconstruct/bridge.h"
 #include "apps/reconstruct/cloud.h"
 #include "apps/reconstruct/front.h"
 #include "apps/reconstruct/normals.h"
@@ -33,6 +35,8 @@ namespace dsc::reconstruct {
 
 struct ReconstructParameters {
     std::optional<double> detail;  ///< wanted edge length instead of one from the spacing [units of the input]; > 0
+    double least_detail = 0.25;    ///< that `detail` may be [spacing]: finer edges show nothing, and take long; > 0
+    double most_detail = 0.1;      ///< ... [diagonal of the cloud]: with longer ones there is hardly a surface; > 0
     std::optional<double> noise;   ///< standard deviation instead of an estimate [units of the input]; >= 0
     bool makes_tets = false;       ///< improve and return the tetrahedra inside, too
     double min_angle = 12;         ///< that their dihedral angles should have [degree]; (0, 40]
@@ -47,6 +51,7 @@ struct ReconstructParameters {
     FrontParameters front = {};
     SurfaceModelParameters model = {};
     SurfaceFitParameters fit = {};
+    BridgeParameters bridge = {};
 
     /// Throws core::UsageError naming the field.
     void validate() const;

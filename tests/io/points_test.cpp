@@ -48,6 +48,27 @@ TEST_CASE("points of six columns and more have normals, unless these are colours
     CHECK(points_in("p.xyz", "0 -1 .5 0 0 1\n100 2 3 255 128 0\n").points == two);
 }
 
+TEST_CASE("a count or the names of the columns may stand before the points") {
+    for (const char* text :
+         {"2\n0 -1 .5\n100 2 3\n", "2\n0 -1 .5 -99\n100 2 3 7\n", "# scan\n\n2\n0 -1 .5 -99 0 0 1\n100 2 3 7 1 2 3\n",
+          "2\n0 -1 .5 1 2 3\n100 2 3 255 0 0\n"}) {
+        CAPTURE(text);
+        const PointData data = points_in("p.pts", text);
+        CHECK(data.points == two);
+        CHECK(data.normals.empty());
+    }
+    for (const char* text :
+         {"x,y,z\n0,-1,.5\n100,2,3\n", "\"X\",\"Y\",\"Z\"\n0,-1,.5\n100,2,3\n", "//X Y Z\n0 -1 .5\n100 2 3\n",
+          "id,z,x,y\na,.5,0,-1\nb,3,100,2\n", "x,y,z,r,g,b,nx\n0,-1,.5,1,2,3,0\n100,2,3,1,2,3,1\n"}) {
+        CAPTURE(text);
+        const PointData data = points_in("p.csv", text);
+        CHECK(data.points == two);
+        CHECK(data.normals.empty());
+    }
+    CHECK(points_in("p.csv", "x,nx,y,ny,z,nz\n0,0.6,-1,-0.8,.5,0\n100,0,2,0,3,1\n").normals ==
+          Points{{0.6, -0.8, 0}, {0, 0, 1}});
+}
+
 TEST_CASE("numbers of a point file are read exactly") {
     core::Random random(seed(84));
     Points points{{1e300, -5e-324, -0.0}};
@@ -64,7 +85,14 @@ TEST_CASE("a wrong point file is refused with its line") {
     CHECK_THAT(points_error("p.xyz", ""), Contains("p.xyz: contains no points; give a point cloud"));
     CHECK_THAT(points_error("p.xyz", "# nothing\n\n"), Contains("p.xyz: contains no points"));
     CHECK_THAT(points_error("p.xyz", "\n# 4\n0 0 0 1\n"), Contains("line 3: the number of columns is 4; use 3, or 6"));
-    CHECK_THAT(points_error("p.xyz", "2\n0 0 0\n"), Contains("line 1: the number of columns is 1; use 3, or 6"));
+    CHECK_THAT(points_error("p.xyz", "2.5\n0 0 0\n"), Contains("line 1: the number of columns is 1; use 3, or 6"));
+    CHECK_THAT(points_error("p.pts", "2\n0 0 0\n"), Contains("there are 1 points, but 2 in the line before them"));
+    CHECK_THAT(points_error("p.pts", "2\n0 0 0\n1 1 1\n2 2 2\n"), Contains("there are 3 points, but 2 in"));
+    CHECK_THAT(points_error("p.pts", "0\n"), Contains("contains no points"));
+    CHECK_THAT(points_error("p.csv", "x,y,z\n"), Contains("contains no points"));
+    CHECK_THAT(points_error("p.csv", "x,y,x\n0,0,0\n"),
+               Contains("line 1: the names of the columns are not x, y and z"));
+    CHECK_THAT(points_error("p.csv", "x,y,z\n0,0,0,0\n"), Contains("line 2: the number of columns is 4, but 3"));
     CHECK_THAT(points_error("p.xyz", "0 0 0\n0 0\n0 0 0\n"),
                Contains("line 2: the number of columns is 2, but 3 in the lines before; correct the line"));
     CHECK_THAT(points_error("p.xyz", "0 0 0\n1 0 0 0 # 0\n"), Contains("line 2: the number of columns is 4, but 3"));
@@ -74,9 +102,14 @@ TEST_CASE("a wrong point file is refused with its line") {
                Contains("line 2: the number of columns is 6, but"));
     CHECK_THAT(points_error("p.xyz", "0 0 0\n1 nan 0\n"), Contains("line 2: \"nan\" where a coordinate is expected"));
     CHECK_THAT(points_error("p.xyz", "0 0 0\n1 -inf 0\n"), Contains("line 2: \"-inf\" where a coordinate is expected"));
-    CHECK_THAT(points_error("p.csv", "x,y,z\n0,0,0\n"), Contains("line 1: \"x\" where a coordinate is expected"));
+    CHECK_THAT(points_error("p.csv", "0,y,0\n0,0,0\n"), Contains("line 1: \"y\" where a coordinate is expected"));
     CHECK_THAT(points_error("p.las", "LASF"), Contains("no format of points has the extension .las; use .xyz, .ply"));
     CHECK_THAT(points_error("p", "0 0 0"), Contains("has no extension that tells its format; use .xyz"));
+}
+
+TEST_CASE("a folder is no point file") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_WITH(io::read_points(folder.path()), Contains("is a folder; name a file"));
 }
 
 TEST_CASE("the vertices of surfaces are points, whether or not there are faces") {

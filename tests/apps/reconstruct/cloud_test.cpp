@@ -40,6 +40,26 @@ TEST_CASE("equal points count once, and points far off are strays") {
     CHECK(cloud.scale == Approx(std::sqrt(12)).epsilon(0.01));
 }
 
+TEST_CASE("strays near each other are no part of the surface") {
+    tests::OrientedCloud points = sphere(10000);
+    core::Random random(tests::seed(2));
+    std::vector<std::uint32_t> strays;
+    for (int i = 0; i < 19; ++i) {
+        strays.push_back(static_cast<std::uint32_t>(points.points.size()));
+        // As far from the surface as from each other.
+        points.points.emplace_back(1.2 + random.uniform(), random.uniform(), random.uniform());
+    }
+    CHECK(prepared_cloud(points.points, {}, "sphere").strays == strays);
+}
+
+TEST_CASE("a stray, however far, takes no digits from the others") {
+    tests::OrientedCloud points = sphere(1500);
+    points.points.emplace_back(1e12, 0, 0);
+    const Cloud cloud = prepared_cloud(points.points, {}, "sphere");
+    CHECK(cloud.strays == std::vector<std::uint32_t>{1500});
+    CHECK(cloud.to_input(cloud.points[7]).isApprox(points.points[cloud.original[7]], 1e-12));
+}
+
 TEST_CASE("points that enclose nothing are refused") {
     const auto refused = [](const std::vector<Point3>& points, const std::string& word) {
         CHECK_THROWS_WITH(prepared_cloud(points, {}, "few.xyz"), Catch::Contains("few.xyz") && Catch::Contains(word));

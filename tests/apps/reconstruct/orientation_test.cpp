@@ -39,3 +39,9 @@ TEST_CASE("the sides of a plate that is two spacings thick point away from each 
     // Spacing sqrt(2.16 / 3000) = 0.027.
     CHECK(share_turned(tests::box_cloud({Point3(0, 0, 0), Point3(1, 1, 0.055)}, 3000, random)) < 0.03);
 }
+
+TEST_CASE("a plate of two spacings is not thinned away among many points", "[slow]") {
+    core::Random random(tests::seed(1));
+    // Spacing sqrt(2.07 / 25000) = 0.0091; half of the points would leave a plate of 1.4 spacings.
+    CHECK(share_turned(tests::box_cloud({Point3(0, 0, 0), Point3(1, 1, 0.0182)}, 25000, random)) < 0.01);
+}

@@ -80,6 +80,7 @@ TEST_CASE("bad clouds and options are refused in one line, and nothing is overwr
     check_text("nan.xyz", "0 0 0\n1 0 nan\n0 1 0\n0 0 1\n", {"line 2"});
     check_text("columns.xyz", "0 0 0\n1 0\n0 1 0\n0 0 1\n", {"line 2"});
     check_refused({(folder / "absent.xyz").string(), "-o", out}, {"absent.xyz"});
+    check_refused({folder.path().string(), "-o", out}, {"is a folder"});
     core::Random random(seed(1));
     const std::string cloud = write_cloud(folder, sphere_cloud({0, 0, 0}, 1, 100, random));
     check_refused({cloud, "-o", (folder / "out.txt").string()}, {"out.txt"});

@@ -96,6 +96,8 @@ TEST_CASE("a hole in the sampling is bridged, and what bridges it is marked") {
     const Reconstruction result = reconstructed(points);
     check_valid(result);
     CHECK(result.genus == std::vector<std::int64_t>{0});
+    // A clamped plate keeps the curvature of its rim, about.
+    for (const Point3& p : result.surface.vertices) CHECK(p.norm() == Approx(1).epsilon(0.03));
     std::size_t invented = 0;
     for (std::size_t t = 0; t < result.is_invented.size(); ++t) {
         if (result.is_invented[t] == 0) continue;
@@ -174,6 +176,8 @@ TEST_CASE("a wanted edge length is followed") {
     check_valid(coarse);
     check_valid(fine);
     CHECK(fine.surface.triangles.size() > 2 * coarse.surface.triangles.size());
+    CHECK_THROWS_WITH(reconstructed(points, {.detail = 1e-9}), Catch::Contains("give at least"));
+    CHECK_THROWS_WITH(reconstructed(points, {.detail = 10}), Catch::Contains("give at most"));
 }
 
 TEST_CASE("parameters of a reconstruction out of their range are refused by name") {
