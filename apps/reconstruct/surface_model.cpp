@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/reconstruct/surface_model.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "apps/reconstruct/quadratic_patch.h"
 #include "core/errors.h"
 #include "surface/triangle.h"
 
 namespace dsc::reconstruct {
 
-namespace {
-
-// A unit vector perpendicular to n.
-Vector3 perpendicular(const Vector3& n) {
-    Eigen::Index least = 0;
-    n.cwiseAbs().minCoeff(&least);
-    return n.cross(Vector3::Unit(least)).normalized();
-}
-
-}  // namespace
-
 void SurfaceModelParameters::validate() const {
     if (points < 6) throw core::UsageError("points: has to be at least 6");
     if (!(side_angle > 0 && side_angle < 90)) throw core::UsageError("side_angle: has to be in (0, 90)");
     if (!(crease_angle > 0 && crease_angle < 90)) throw core::UsageError("crease_angle: has to be in (0, 90)");
+    if (!(most_standard_error > 0)) throw core::UsageError("most_standard_error: has to be positive");
     if (least_side_points < 3) throw core::UsageError("least_side_points: has to be at least 3");
 }
 
@@ -40,40 +30,28 @@ SurfaceModel::SurfaceModel(const Cloud& cloud, const KdTree& tree, std::span<con
     parameters.validate();
 }
 
-// The patch z = a + bu + cv + du^2 + euv + fv^2 over the plane through x, by weighted least squares over the points of
-// the side; a plane when they are few.
+// The patch of the points of the side, over the plane through x and then over its own tangent plane; nearly a plane
+// when the points are few.
 SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, const Vector3& normal) const {
-    using Vector6 = Eigen::Matrix<double, 6, 1>;
     constexpr int enough_for_quadratic = 9;
+    constexpr double plane_stiffness = 50;
     Sample sample{x, normal, 0};
     const double reach = std::sqrt(near.back().squared_distance);
     for (int step = 0; step < 2; ++step) {
-        const Vector3 n = sample.normal, u = perpendicular(n), v = n.cross(u);
-        Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-        Vector6 right = Vector6::Zero();
-        int count = 0;
-        double weights = 0;
-        for (const KdTree::Neighbour& neighbour : near) {
-            if (normals_[neighbour.index].dot(n) < side_cosine_) continue;
-            const Vector3 way = (cloud_.points[neighbour.index] - sample.point) / reach;
-            const double s = way.dot(u), t = way.dot(v);
-            const double weight = std::exp(-2 * way.squaredNorm());
-            Vector6 row;
-            row << 1, s, t, s * s, s * t, t * t;
-            matrix.noalias() += weight * row * row.transpose();
-            right += weight * way.dot(n) * row;
-            weights += weight;
-            ++count;
+        QuadraticPatch patch(sample.point, sample.normal, reach);
+        for (const KdTree::Neighbour& neighbour : near)
+            if (normals_[neighbour.index].dot(sample.normal) >= side_cosine_) patch.add(cloud_.points[neighbour.index]);
+        sample.points = patch.points();
+        if (sample.points < 3) return sample;
+        patch.stiffen(1e-4, sample.points < enough_for_quadratic ? plane_stiffness : 5e-5 + 0.025 * noise_ / reach);
+        patch.solve();
+        // Next to a place without points a patch may be anywhere; a plane is not.
+        if (patch.standard_error() > parameters_.most_standard_error) {
+            patch.stiffen(0, plane_stiffness);
+            patch.solve();
         }
-        sample.points = count;
-        if (count < 3) return sample;
-        // Curvature costs a little: then few or noisy points make a plane rather than a wild patch.
-        const double stiffness = count < enough_for_quadratic ? 1e3 : 1e-3 + 0.5 * noise_ / reach;
-        for (int k = 3; k < 6; ++k) matrix(k, k) += stiffness * weights * 0.05;
-        for (int k = 1; k < 3; ++k) matrix(k, k) += 1e-4 * weights;
-        const Vector6 patch = matrix.ldlt().solve(right);
-        sample.point += reach * patch[0] * n;
-        sample.normal = (n - patch[1] * u - patch[2] * v).normalized();
+        sample.point = patch.point();
+        sample.normal = patch.normal();
     }
     return sample;
 }

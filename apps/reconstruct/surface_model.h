@@ -14,10 +14,11 @@
 namespace dsc::reconstruct {
 
 struct SurfaceModelParameters {
-    int points = 24;            ///< that a place is judged by; >= 6
-    double side_angle = 35;     ///< normals of one side differ by less [degree]; (0, 90)
-    double crease_angle = 28;   ///< sides that meet at a smaller angle are one smooth piece [degree]; (0, 90)
-    int least_side_points = 3;  ///< of a side; >= 3
+    int points = 16;                   ///< that a place is judged by; >= 6
+    double most_standard_error = 1.2;  ///< of a patch, in those of its points; beyond it becomes a plane; > 0
+    double side_angle = 35;            ///< normals of one side differ by less [degree]; (0, 90)
+    double crease_angle = 28;          ///< sides that meet at a smaller angle are one smooth piece [degree]; (0, 90)
+    int least_side_points = 3;         ///< of a side; >= 3
 
     /// Throws core::UsageError naming the field.
     void validate() const;
