@@ -164,7 +164,8 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
     end_phase("front");
 
     SurfaceModelParameters model_parameters = parameters.model;
-    if (noise_left < noise) model_parameters.points = std::max(model_parameters.points, parameters.denoised_points);
+    // What noise is left is averaged by more points than curvature asks for.
+    if (noise_left < noise) model_parameters.patch_points = model_parameters.points;
     const SurfaceModel model(cloud, tree, orientation.normals, noise_left, model_parameters);
     const auto wanted = [&](const Point3& p) { return front.wanted_edge(tree.nearest(p).index); };
     double mean_edge = 0;

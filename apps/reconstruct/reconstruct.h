@@ -44,7 +44,6 @@ struct ReconstructParameters {
     /// Neighbours that normals are judged by reach this far, in standard deviations of the noise, ...
     double noise_reach = 9;    ///< > 0
     int most_neighbours = 60;  ///< ... but are no more than this; at least cloud.neighbours
-    int denoised_points = 24;  ///< that a place is judged by once a noisy cloud is denoised; at least model.points
     int threads = 0;           ///< 0: all
     CloudParameters cloud = {};
     NormalParameters normals = {};

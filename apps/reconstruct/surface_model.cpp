@@ -13,6 +13,8 @@ namespace dsc::reconstruct {
 
 void SurfaceModelParameters::validate() const {
     if (points < 6) throw core::UsageError("points: has to be at least 6");
+    if (patch_points < 6 || patch_points > points)
+        throw core::UsageError("patch_points: has to be at least 6 and at most points");
     if (!(side_angle > 0 && side_angle < 90)) throw core::UsageError("side_angle: has to be in (0, 90)");
     if (!(crease_angle > 0 && crease_angle < 90)) throw core::UsageError("crease_angle: has to be in (0, 90)");
     if (!(most_standard_error > 0)) throw core::UsageError("most_standard_error: has to be positive");
@@ -32,7 +34,7 @@ SurfaceModel::SurfaceModel(const Cloud& cloud, const KdTree& tree, std::span<con
 
 // The patch of the points of the side, over the plane through x and then over its own tangent plane; nearly a plane
 // when the points are few.
-SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, const Vector3& normal) const {
+SurfaceModel::Sample SurfaceModel::fitted(Near near, const Point3& x, const Vector3& normal) const {
     constexpr int enough_for_quadratic = 9;
     constexpr double plane_stiffness = 50;
     Sample sample{x, normal, 0};
@@ -57,15 +59,15 @@ SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, con
 }
 
 std::optional<SurfacePlace> SurfaceModel::smooth_place(const Point3& x, const Vector3& normal) const {
-    Near near;
-    tree_.nearest(x, static_cast<std::size_t>(parameters_.points), near);
+    std::vector<KdTree::Neighbour> near;
+    tree_.nearest(x, static_cast<std::size_t>(parameters_.patch_points), near);
     const Sample sample = fitted(near, x, normal);
     if (sample.points < parameters_.least_side_points) return std::nullopt;
     return SurfacePlace{sample.point, {sample.normal}, 1};
 }
 
 // Groups of normals, that of the nearest point first.
-std::vector<Vector3> SurfaceModel::side_normals(const Near& near) const {
+std::vector<Vector3> SurfaceModel::side_normals(Near near) const {
     std::vector<Vector3> sides;
     std::vector<std::uint32_t> rest;
     for (const KdTree::Neighbour& neighbour : near) rest.push_back(neighbour.index);
@@ -87,8 +89,7 @@ std::vector<Vector3> SurfaceModel::side_normals(const Near& near) const {
 
 // The place near x where the patches with these normals meet: the least way to the intersection of their tangent
 // planes, again and again. None when they don't, or meet so gently that they are one piece.
-std::optional<SurfacePlace> SurfaceModel::meeting(const Near& near, const Point3& x,
-                                                  std::span<const Vector3> normals) const {
+std::optional<SurfacePlace> SurfaceModel::meeting(Near near, const Point3& x, std::span<const Vector3> normals) const {
     SurfacePlace place{x, {}, static_cast<int>(normals.size())};
     std::array<Sample, 3> samples;
     for (std::size_t i = 0; i < normals.size(); ++i) samples[i].normal = normals[i];
@@ -116,7 +117,7 @@ std::optional<SurfacePlace> SurfaceModel::meeting(const Near& near, const Point3
 }
 
 SurfacePlace SurfaceModel::place(const Point3& x, double corner_reach, double crease_reach) const {
-    Near near;
+    std::vector<KdTree::Neighbour> near;
     tree_.nearest(x, static_cast<std::size_t>(parameters_.points), near);
     const std::vector<Vector3> sides = side_normals(near);
     const double far = 1.5 * cloud_.spacing[near.front().index] + 2 * noise_;
@@ -141,7 +142,8 @@ SurfacePlace SurfaceModel::place(const Point3& x, double corner_reach, double cr
         for (std::size_t j = 0; j < i; ++j) consider(std::array{sides[j], sides[i]});
     if (best) return *best;
     const Vector3 normal = sides.empty() ? normals_[near.front().index] : sides.front();
-    const Sample sample = fitted(near, x, normal);
+    const std::size_t nearest = std::min(near.size(), static_cast<std::size_t>(parameters_.patch_points));
+    const Sample sample = fitted(Near(near).first(nearest), x, normal);
     return {sample.point, {sample.normal}, 1};
 }
 

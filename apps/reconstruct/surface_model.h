@@ -14,7 +14,8 @@
 namespace dsc::reconstruct {
 
 struct SurfaceModelParameters {
-    int points = 16;                   ///< that a place is judged by; >= 6
+    int points = 24;                   ///< that creases and corners are judged by; >= 6
+    int patch_points = 16;             ///< the nearest of these, that a smooth piece is judged by; in [6, points]
     double most_standard_error = 1.2;  ///< of a patch, in those of its points; beyond it becomes a plane; > 0
     double side_angle = 35;            ///< normals of one side differ by less [degree]; (0, 90)
     double crease_angle = 28;          ///< sides that meet at a smaller angle are one smooth piece [degree]; (0, 90)
@@ -53,11 +54,11 @@ private:
         Vector3 normal;
         int points = 0;
     };
-    using Near = std::vector<KdTree::Neighbour>;
+    using Near = std::span<const KdTree::Neighbour>;
 
-    Sample fitted(const Near& near, const Point3& x, const Vector3& normal) const;
-    std::vector<Vector3> side_normals(const Near& near) const;
-    std::optional<SurfacePlace> meeting(const Near& near, const Point3& x, std::span<const Vector3> normals) const;
+    Sample fitted(Near near, const Point3& x, const Vector3& normal) const;
+    std::vector<Vector3> side_normals(Near near) const;
+    std::optional<SurfacePlace> meeting(Near near, const Point3& x, std::span<const Vector3> normals) const;
 
     const Cloud& cloud_;
     const KdTree& tree_;
