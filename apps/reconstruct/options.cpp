@@ -25,6 +25,10 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     line.number("--noise", parameters.noise,
                 "standard deviation of the points off the surface, instead of an estimate, in their unit",
                 {.at_least = 0});
+    std::string genus = "free";
+    line.choice("--genus", genus, {"free", "0"},
+                "free: whatever the points ask for; 0: one surface without handles, as a sphere that shrinks onto the "
+                "points leaves it, with films across tunnels and threads between parts");
     line.heading("Output");
     line.output_file("--tets", options.tets,
                      "write the tetrahedra inside to this file: .vtu, .mesh, .msh, .node, .vtk");
@@ -38,6 +42,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     options.common = line.common();
     options.given = line.given();
     parameters.threads = options.common.threads;
+    parameters.keeps_genus_zero = genus == "0";
     parameters.makes_tets = options.tets.has_value();
     if (line.is_given("--min-angle") && !options.tets) throw core::UsageError("--min-angle goes with --tets only");
     if (options.common.output) io::require_writable_surface_mesh(*options.common.output);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "apps/reconstruct/distances.h"
+#include "apps/reconstruct/shrinking_front.h"
 #include "core/disjoint_sets.h"
 #include "core/errors.h"
 #include "core/stopwatch.h"
@@ -76,9 +77,9 @@ void require_good_surface(const Reconstruction& result, const std::string& sourc
                              "nearer to the origin");
 }
 
-void measure(const Cloud& cloud, const ReconstructParameters& parameters, Reconstruction& result) {
-    std::vector<Point3> points;
-    for (const Point3& p : cloud.points) points.push_back(cloud.to_input(p));
+void measure(const Cloud& cloud, std::vector<Point3> points, const ReconstructParameters& parameters,
+             Reconstruction& result) {
+    for (Point3& p : points) p = cloud.to_input(p);
     const std::vector<double> distances = distances_from_surface(points, result.surface, parameters.threads);
     double sum = 0, squares = 0;
     for (const double d : distances) {
@@ -135,6 +136,7 @@ void ReconstructParameters::validate() const {
     cloud.validate();
     normals.validate();
     orientation.validate();
+    denoising.validate();
     front.validate();
     model.validate();
     fit.validate();
@@ -158,24 +160,30 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
     Cloud cloud = prepared_cloud(data.points, parameters.cloud, source, parameters.threads);
     if (parameters.detail) require_sensible_detail(*parameters.detail, cloud, parameters);
     const double noise = parameters.noise ? *parameters.noise / cloud.scale : estimated_noise(cloud);
-    SurfaceModelParameters model_parameters = parameters.model;
     const int neighbours = wanted_neighbours(noise / cloud.median_spacing, parameters);
-    if (neighbours > parameters.cloud.neighbours) {
-        set_neighbours(cloud, static_cast<std::size_t>(neighbours));
-        model_parameters.points = std::max(model_parameters.points, neighbours);
-    }
+    if (neighbours > parameters.cloud.neighbours) set_neighbours(cloud, static_cast<std::size_t>(neighbours));
     const std::vector<Vector3> axes = cloud_axes(cloud, noise, parameters.normals);
     end_phase("cloud");
-    const Orientation orientation = oriented_normals(cloud, axes, noise, parameters.orientation, observer);
+    Orientation orientation = oriented_normals(cloud, axes, noise, parameters.orientation, observer);
     end_phase("orientation");
+    const std::vector<Point3> measured = cloud.points;
+    const double noise_left = denoise(cloud, orientation.normals, noise, parameters.denoising);
+    end_phase("denoising");
     Front front = labelled_front(cloud, orientation, noise,
                                  parameters.detail ? std::optional(*parameters.detail / cloud.scale) : std::nullopt,
                                  parameters.front, observer);
+    const KdTree tree(cloud.points);
+    if (parameters.keeps_genus_zero) {
+        shrink_to_genus_zero(*front.mesh, tree);
+        front.cavities = 0;
+    }
     if (watcher) watcher("front", interface_of(*front.mesh, cloud));
     end_phase("front");
 
-    const KdTree tree(cloud.points);
-    const SurfaceModel model(cloud, tree, orientation.normals, noise, model_parameters);
+    SurfaceModelParameters model_parameters = parameters.model;
+    // What noise is left is averaged by more points than curvature asks for.
+    if (noise_left < noise) model_parameters.patch_points = model_parameters.points;
+    const SurfaceModel model(cloud, tree, orientation.normals, noise_left, model_parameters);
     const auto wanted = [&](const Point3& p) { return front.wanted_edge(tree.nearest(p).index); };
     double mean_edge = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -185,7 +193,9 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
         const FitWatcher fit_watcher = [&](const char* stage) {
             if (watcher) watcher(stage, interface_of(*front.mesh, cloud));
         };
-        result.fit = fit_surface(bench, model, wanted, parameters.fit, observer, fit_watcher);
+        SurfaceFitParameters fit = parameters.fit;
+        fit.refinement = std::max(fit.refinement, noise_left);
+        result.fit = fit_surface(bench, model, wanted, fit, observer, fit_watcher);
         if (bridge_gaps(bench, cloud, tree, parameters.bridge, observer) > 0) fit_watcher("gaps bridged");
     }
     end_phase("fit");
@@ -201,7 +211,7 @@ Reconstruction reconstruct(const geometry::PointData& data, const ReconstructPar
     result.noise = noise * cloud.scale;
     result.cavities = front.cavities;
     result.dropped_parts = front.dropped_parts;
-    measure(cloud, parameters, result);
+    measure(cloud, measured, parameters, result);
     end_phase("check");
     if (parameters.makes_tets) {
         result.tets = improved_inside(*front.mesh, cloud, parameters, observer);

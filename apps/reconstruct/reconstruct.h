@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A point cloud to a closed surface and the tetrahedra inside it.
 // Source: thesis 4.4.3, on the 3D deformable simplicial complex. The steps: the cloud is cleaned and measured
-// (cloud.h), normals are estimated (normals.h) and oriented all at once (orientation.h), the cells of a complex as fine
-// as the cloud are labelled (front.h), and its interface is fitted to patches, creases and corners (surface_fit.h);
-// where there are no points it is bent as little as possible (bridge.h).
+// (cloud.h), normals are estimated (normals.h) and oriented all at once (orientation.h), noise is taken out
+// (denoising.h), the cells of a complex as fine as the cloud are labelled (front.h), and its interface is fitted to
+// patches, creases and corners (surface_fit.h); where there are no points it is bent as little as possible (bridge.h).
 // Guarantee: the surface is the interface of one complex, all of whose tetrahedra are positive by exact predicate:
 // closed, manifold, oriented outwards, nowhere meeting itself; the same bits for the same input on any number of
 // threads. Cost: some 0.4 ms and 10 kB per point, the most of both for the cells.
@@ -20,6 +20,7 @@
 
 #include "apps/reconstruct/bridge.h"
 #include "apps/reconstruct/cloud.h"
+#include "apps/reconstruct/denoising.h"
 #include "apps/reconstruct/front.h"
 #include "apps/reconstruct/normals.h"
 #include "apps/reconstruct/orientation.h"
@@ -38,16 +39,19 @@ struct ReconstructParameters {
     double least_detail = 0.25;    ///< that `detail` may be [spacing]: finer edges show nothing, and take long; > 0
     double most_detail = 0.1;      ///< ... [diagonal of the cloud]: with longer ones there is hardly a surface; > 0
     std::optional<double> noise;   ///< standard deviation instead of an estimate [units of the input]; >= 0
+    bool keeps_genus_zero =
+        false;                     ///< one surface of genus 0, as a front that shrinks from around everything leaves it
     bool makes_tets = false;       ///< improve and return the tetrahedra inside, too
     double min_angle = 12;         ///< that their dihedral angles should have [degree]; (0, 40]
     double invented_distance = 3;  ///< triangles farther from all points are invented [spacing]; > 0
-    /// Points that a place is judged by reach this far, in standard deviations of the noise, ...
+    /// Neighbours that normals are judged by reach this far, in standard deviations of the noise, ...
     double noise_reach = 9;    ///< > 0
     int most_neighbours = 60;  ///< ... but are no more than this; at least cloud.neighbours
     int threads = 0;           ///< 0: all
     CloudParameters cloud = {};
     NormalParameters normals = {};
     OrientationParameters orientation = {};
+    DenoisingParameters denoising = {};
     FrontParameters front = {};
     SurfaceModelParameters model = {};
     SurfaceFitParameters fit = {};

@@ -47,6 +47,8 @@ public:
             flip_edges();
         }
         end_stage("creases");
+        refine();
+        flip_edges();
         decimate();
         flip_edges();
         balance();
@@ -331,6 +333,56 @@ private:
         move_to_targets(vertices);
     }
 
+    // Edges that are off the surface in their middle get a vertex there: along creases, and on patches.
+    void refine() {
+        for (int round = 0; round < parameters_.refinements; ++round) {
+            const std::vector<EdgeId> edges = bench_.interface_edges();
+            std::vector<SurfacePlace> middles(edges.size());
+            core::parallel_for(edges.size(), {.threads = model_.threads()},
+                               [&](std::size_t i) { middles[i] = place_of_middle(edges[i]); });
+            std::vector<std::pair<double, std::size_t>> far;
+            for (std::size_t i = 0; i < edges.size(); ++i) {
+                if (middles[i].sides == 0) continue;
+                const double off = (middles[i].point - middle(edges[i])).norm();
+                if (off > parameters_.refinement && off < 0.5 * length(edges[i])) far.emplace_back(-off, i);
+            }
+            std::sort(far.begin(), far.end());
+            std::vector<VertexId> added;
+            for (const auto& [key, i] : far) {
+                if (bench_.complex().is_deleted(edges[i])) continue;
+                const VertexId m = bench_.split(edges[i], middle(edges[i]));
+                if (!m.is_valid()) continue;
+                place_[m] = middles[i];
+                target_[m] = middles[i].point;
+                ++counts_.cuts;
+                added.push_back(m);
+            }
+            move_to_targets(added);
+        }
+    }
+
+    Point3 middle(EdgeId e) const {
+        const auto [a, b] = bench_.complex().vertices(e);
+        return 0.5 * (bench_.position(a) + bench_.position(b));
+    }
+
+    /// Unknown for edges that are short or between different sides.
+    SurfacePlace place_of_middle(EdgeId e) const {
+        const auto [a, b] = bench_.complex().vertices(e);
+        const SurfacePlace &one = place_[a], &other = place_[b];
+        const double edge = length(e);
+        if (edge < parameters_.shortest_refined * wanted_(bench_.position(a))) return {};
+        if (one.is_smooth() || other.is_smooth()) {
+            const SurfacePlace &smooth = one.is_smooth() ? one : other, &rest = one.is_smooth() ? other : one;
+            if (!is_within(smooth, rest)) return {};
+            Vector3 n = smooth.normals[0];
+            if (rest.is_smooth()) n = (n + rest.normals[0]).normalized();
+            return model_.smooth_place(middle(e), n).value_or(SurfacePlace());
+        }
+        const SurfacePlace place = model_.place(middle(e), 0, 0.5 * edge);
+        return place.sides == 2 && is_within(place, one) && is_within(place, other) ? place : SurfacePlace();
+    }
+
     // Vertices whose absence moves the surface by next to nothing go: it is as fine as it has to be.
     void decimate() {
         if (parameters_.decimation == 0) return;
@@ -457,6 +509,9 @@ void SurfaceFitParameters::validate() const {
     require(claim_distance >= 0, "claim_distance", "at least 0");
     require(cut_margin > 0 && cut_margin < 0.5, "cut_margin", "in (0, 0.5)");
     require(short_edge >= 0, "short_edge", "at least 0");
+    require(refinements >= 0, "refinements", "at least 0");
+    require(refinement > 0, "refinement", "positive");
+    require(shortest_refined > 0, "shortest_refined", "positive");
     require(decimation >= 0, "decimation", "at least 0");
     require(longest_edge > 0, "longest_edge", "positive");
 }

@@ -20,11 +20,14 @@ struct SurfaceFitParameters {
     double claim_reach = 0.45;  ///< a vertex goes to a crease no farther away than this [wanted edge]; > 0
     double corner_reach = 0.8;  ///< ... or to a corner [wanted edge]; > 0
     double claim_distance =
-        0.35;                    ///< ... unless a neighbour has a place on it nearer to that one's [wanted edge]; >= 0
-    double cut_margin = 0.1;     ///< cuts keep this share of the edge from its ends; in (0, 0.5)
-    double short_edge = 0.35;    ///< shorter edges are collapsed [wanted edge]; >= 0
-    double decimation = 1.5e-4;  ///< vertices go where that moves the surface by less [diagonal of the cloud]; >= 0
-    double longest_edge = 6;     ///< that decimation makes [wanted edge]; > 0
+        0.35;                  ///< ... unless a neighbour has a place on it nearer to that one's [wanted edge]; >= 0
+    double cut_margin = 0.1;   ///< cuts keep this share of the edge from its ends; in (0, 0.5)
+    double short_edge = 0.35;  ///< shorter edges are collapsed [wanted edge]; >= 0
+    int refinements = 2;       ///< rounds of cutting edges that are off curved pieces; >= 0
+    double refinement = 4e-4;  ///< by more than this in their middle [diagonal of the cloud]; > 0
+    double shortest_refined = 0.7;  ///< and are longer than this [wanted edge]; > 0
+    double decimation = 1.5e-4;     ///< vertices go where that moves the surface by less [diagonal of the cloud]; >= 0
+    double longest_edge = 6;        ///< that decimation makes [wanted edge]; > 0
 
     /// Throws core::UsageError naming the field.
     void validate() const;

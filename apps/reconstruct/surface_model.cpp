@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/reconstruct/surface_model.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "apps/reconstruct/quadratic_patch.h"
 #include "core/errors.h"
 #include "surface/triangle.h"
 
 namespace dsc::reconstruct {
 
-namespace {
-
-// A unit vector perpendicular to n.
-Vector3 perpendicular(const Vector3& n) {
-    Eigen::Index least = 0;
-    n.cwiseAbs().minCoeff(&least);
-    return n.cross(Vector3::Unit(least)).normalized();
-}
-
-}  // namespace
-
 void SurfaceModelParameters::validate() const {
     if (points < 6) throw core::UsageError("points: has to be at least 6");
+    if (patch_points < 6 || patch_points > points)
+        throw core::UsageError("patch_points: has to be at least 6 and at most points");
     if (!(side_angle > 0 && side_angle < 90)) throw core::UsageError("side_angle: has to be in (0, 90)");
     if (!(crease_angle > 0 && crease_angle < 90)) throw core::UsageError("crease_angle: has to be in (0, 90)");
+    if (!(most_standard_error > 0)) throw core::UsageError("most_standard_error: has to be positive");
     if (least_side_points < 3) throw core::UsageError("least_side_points: has to be at least 3");
 }
 
@@ -40,54 +32,42 @@ SurfaceModel::SurfaceModel(const Cloud& cloud, const KdTree& tree, std::span<con
     parameters.validate();
 }
 
-// The patch z = a + bu + cv + du^2 + euv + fv^2 over the plane through x, by weighted least squares over the points of
-// the side; a plane when they are few.
-SurfaceModel::Sample SurfaceModel::fitted(const Near& near, const Point3& x, const Vector3& normal) const {
-    using Vector6 = Eigen::Matrix<double, 6, 1>;
+// The patch of the points of the side, over the plane through x and then over its own tangent plane; nearly a plane
+// when the points are few.
+SurfaceModel::Sample SurfaceModel::fitted(Near near, const Point3& x, const Vector3& normal) const {
     constexpr int enough_for_quadratic = 9;
+    constexpr double plane_stiffness = 50;
     Sample sample{x, normal, 0};
     const double reach = std::sqrt(near.back().squared_distance);
     for (int step = 0; step < 2; ++step) {
-        const Vector3 n = sample.normal, u = perpendicular(n), v = n.cross(u);
-        Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-        Vector6 right = Vector6::Zero();
-        int count = 0;
-        double weights = 0;
-        for (const KdTree::Neighbour& neighbour : near) {
-            if (normals_[neighbour.index].dot(n) < side_cosine_) continue;
-            const Vector3 way = (cloud_.points[neighbour.index] - sample.point) / reach;
-            const double s = way.dot(u), t = way.dot(v);
-            const double weight = std::exp(-2 * way.squaredNorm());
-            Vector6 row;
-            row << 1, s, t, s * s, s * t, t * t;
-            matrix.noalias() += weight * row * row.transpose();
-            right += weight * way.dot(n) * row;
-            weights += weight;
-            ++count;
+        QuadraticPatch patch(sample.point, sample.normal, reach);
+        for (const KdTree::Neighbour& neighbour : near)
+            if (normals_[neighbour.index].dot(sample.normal) >= side_cosine_) patch.add(cloud_.points[neighbour.index]);
+        sample.points = patch.points();
+        if (sample.points < 3) return sample;
+        patch.stiffen(1e-4, sample.points < enough_for_quadratic ? plane_stiffness : 5e-5 + 0.025 * noise_ / reach);
+        patch.solve();
+        // Next to a place without points a patch may be anywhere; a plane is not.
+        if (patch.standard_error() > parameters_.most_standard_error) {
+            patch.stiffen(0, plane_stiffness);
+            patch.solve();
         }
-        sample.points = count;
-        if (count < 3) return sample;
-        // Curvature costs a little: then few or noisy points make a plane rather than a wild patch.
-        const double stiffness = count < enough_for_quadratic ? 1e3 : 1e-3 + 0.5 * noise_ / reach;
-        for (int k = 3; k < 6; ++k) matrix(k, k) += stiffness * weights * 0.05;
-        for (int k = 1; k < 3; ++k) matrix(k, k) += 1e-4 * weights;
-        const Vector6 patch = matrix.ldlt().solve(right);
-        sample.point += reach * patch[0] * n;
-        sample.normal = (n - patch[1] * u - patch[2] * v).normalized();
+        sample.point = patch.point();
+        sample.normal = patch.normal();
     }
     return sample;
 }
 
 std::optional<SurfacePlace> SurfaceModel::smooth_place(const Point3& x, const Vector3& normal) const {
-    Near near;
-    tree_.nearest(x, static_cast<std::size_t>(parameters_.points), near);
+    std::vector<KdTree::Neighbour> near;
+    tree_.nearest(x, static_cast<std::size_t>(parameters_.patch_points), near);
     const Sample sample = fitted(near, x, normal);
     if (sample.points < parameters_.least_side_points) return std::nullopt;
     return SurfacePlace{sample.point, {sample.normal}, 1};
 }
 
 // Groups of normals, that of the nearest point first.
-std::vector<Vector3> SurfaceModel::side_normals(const Near& near) const {
+std::vector<Vector3> SurfaceModel::side_normals(Near near) const {
     std::vector<Vector3> sides;
     std::vector<std::uint32_t> rest;
     for (const KdTree::Neighbour& neighbour : near) rest.push_back(neighbour.index);
@@ -109,8 +89,7 @@ std::vector<Vector3> SurfaceModel::side_normals(const Near& near) const {
 
 // The place near x where the patches with these normals meet: the least way to the intersection of their tangent
 // planes, again and again. None when they don't, or meet so gently that they are one piece.
-std::optional<SurfacePlace> SurfaceModel::meeting(const Near& near, const Point3& x,
-                                                  std::span<const Vector3> normals) const {
+std::optional<SurfacePlace> SurfaceModel::meeting(Near near, const Point3& x, std::span<const Vector3> normals) const {
     SurfacePlace place{x, {}, static_cast<int>(normals.size())};
     std::array<Sample, 3> samples;
     for (std::size_t i = 0; i < normals.size(); ++i) samples[i].normal = normals[i];
@@ -138,7 +117,7 @@ std::optional<SurfacePlace> SurfaceModel::meeting(const Near& near, const Point3
 }
 
 SurfacePlace SurfaceModel::place(const Point3& x, double corner_reach, double crease_reach) const {
-    Near near;
+    std::vector<KdTree::Neighbour> near;
     tree_.nearest(x, static_cast<std::size_t>(parameters_.points), near);
     const std::vector<Vector3> sides = side_normals(near);
     const double far = 1.5 * cloud_.spacing[near.front().index] + 2 * noise_;
@@ -163,7 +142,8 @@ SurfacePlace SurfaceModel::place(const Point3& x, double corner_reach, double cr
         for (std::size_t j = 0; j < i; ++j) consider(std::array{sides[j], sides[i]});
     if (best) return *best;
     const Vector3 normal = sides.empty() ? normals_[near.front().index] : sides.front();
-    const Sample sample = fitted(near, x, normal);
+    const std::size_t nearest = std::min(near.size(), static_cast<std::size_t>(parameters_.patch_points));
+    const Sample sample = fitted(Near(near).first(nearest), x, normal);
     return {sample.point, {sample.normal}, 1};
 }
 

@@ -14,10 +14,12 @@
 namespace dsc::reconstruct {
 
 struct SurfaceModelParameters {
-    int points = 24;            ///< that a place is judged by; >= 6
-    double side_angle = 35;     ///< normals of one side differ by less [degree]; (0, 90)
-    double crease_angle = 28;   ///< sides that meet at a smaller angle are one smooth piece [degree]; (0, 90)
-    int least_side_points = 3;  ///< of a side; >= 3
+    int points = 24;                   ///< that creases and corners are judged by; >= 6
+    int patch_points = 16;             ///< the nearest of these, that a smooth piece is judged by; in [6, points]
+    double most_standard_error = 1.2;  ///< of a patch, in those of its points; beyond it becomes a plane; > 0
+    double side_angle = 35;            ///< normals of one side differ by less [degree]; (0, 90)
+    double crease_angle = 28;          ///< sides that meet at a smaller angle are one smooth piece [degree]; (0, 90)
+    int least_side_points = 3;         ///< of a side; >= 3
 
     /// Throws core::UsageError naming the field.
     void validate() const;
@@ -52,11 +54,11 @@ private:
         Vector3 normal;
         int points = 0;
     };
-    using Near = std::vector<KdTree::Neighbour>;
+    using Near = std::span<const KdTree::Neighbour>;
 
-    Sample fitted(const Near& near, const Point3& x, const Vector3& normal) const;
-    std::vector<Vector3> side_normals(const Near& near) const;
-    std::optional<SurfacePlace> meeting(const Near& near, const Point3& x, std::span<const Vector3> normals) const;
+    Sample fitted(Near near, const Point3& x, const Vector3& normal) const;
+    std::vector<Vector3> side_normals(Near near) const;
+    std::optional<SurfacePlace> meeting(Near near, const Point3& x, std::span<const Vector3> normals) const;
 
     const Cloud& cloud_;
     const KdTree& tree_;

@@ -63,6 +63,24 @@ TEST_CASE("surface, tetrahedra, report, page and stages are written") {
     CHECK(std::filesystem::exists(folder / "stages" / "series.pvd"));
 }
 
+TEST_CASE("half a sphere is closed, and the triangles that close it are marked in PLY and JSON") {
+    const TemporaryFolder folder;
+    core::Random random(seed(1));
+    OrientedCloud points = sphere_cloud({0, 0, 0}, 1, 2000, random);
+    std::erase_if(points.points, [](const Point3& p) { return p.z() < 0; });
+    const std::string cloud = write_cloud(folder, points);
+    const std::string ply = (folder / "half.ply").string(), json = (folder / "half.json").string();
+    const ProgramResult run = run_program(DSC_RECONSTRUCT_PROGRAM, {cloud, "-o", ply, "--json", json, "--genus", "0"});
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    const geometry::SurfaceData surface = io::read_surface_mesh(ply);
+    CHECK(geometry::check_surface(surface).genus == 0);
+    CHECK_THAT(io::read_file(ply), Catch::Contains("invented"));
+    const io::Json invented = io::Json::parse(io::read_file(json))["surface"]["invented_triangles"];
+    CHECK(invented.size() > 20);
+    CHECK(invented.size() < surface.triangles.size());
+}
+
 TEST_CASE("bad clouds and options are refused in one line, and nothing is overwritten") {
     const TemporaryFolder folder;
     const std::string out = (folder / "out.obj").string();
@@ -87,5 +105,6 @@ TEST_CASE("bad clouds and options are refused in one line, and nothing is overwr
     check_refused({cloud, "-o", out, "--detail", "0"}, {"--detail"});
     check_refused({cloud, "-o", out, "--noise", "-1"}, {"--noise"});
     check_refused({cloud, "-o", out, "--min-angle", "20"}, {"--tets"});
+    check_refused({cloud, "-o", out, "--genus", "2"}, {"--genus"});
     check_refused({}, {"POINTS"});
 }

@@ -107,6 +107,49 @@ TEST_CASE("a hole in the sampling is bridged, and what bridges it is marked") {
     CHECK(invented > 0);
 }
 
+TEST_CASE("scans of one side are closed, and what closes them is marked") {
+    core::Random random(tests::seed(1));
+    std::vector<std::vector<Point3>> scans = {tests::sphere_cloud({0, 0, 0}, 1, 3000, random).points,
+                                              tests::torus_cloud(1, 0.4, 4000, random).points};
+    for (std::vector<Point3>& points : scans) {
+        std::erase_if(points, [](const Point3& p) { return p.z() < 0; });
+        const Reconstruction result = reconstructed(points);
+        check_valid(result);
+        double invented = 0, invented_above = 0;
+        for (std::size_t t = 0; t < result.is_invented.size(); ++t) {
+            if (result.is_invented[t] == 0) continue;
+            const auto& [a, b, c] = result.surface.triangles[t];
+            const std::vector<Point3>& p = result.surface.vertices;
+            const double area = 0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm();
+            invented += area;
+            if ((p[a] + p[b] + p[c]).z() / 3 > 3 * result.spacing) invented_above += area;
+        }
+        CHECK(invented > 1);
+        CHECK(invented_above == 0);
+    }
+}
+
+TEST_CASE("genus 0 is kept when asked for: films in tunnels, threads between parts, cavities filled") {
+    core::Random random(tests::seed(1));
+    const Reconstruction torus =
+        reconstructed(tests::torus_cloud(1, 0.4, 900, random).points, {.keeps_genus_zero = true});
+    check_valid(torus);
+    CHECK(torus.genus == std::vector<std::int64_t>{0});
+    // The film is one layer of tetrahedra.
+    CHECK(*torus.check.volume == Approx(2 * std::numbers::pi * std::numbers::pi * 0.16).epsilon(0.1));
+    tests::OrientedCloud points = tests::sphere_cloud({0, 0, 0}, 1, 700, random);
+    tests::add(points, tests::sphere_cloud({2.5, 0, 0}, 1, 700, random));
+    const Reconstruction two = reconstructed(points.points, {.keeps_genus_zero = true});
+    check_valid(two);
+    CHECK(two.genus == std::vector<std::int64_t>{0});
+    points = tests::sphere_cloud({0, 0, 0}, 1, 1500, random);
+    tests::add(points, tests::sphere_cloud({0, 0, 0}, 0.5, 400, random));
+    const Reconstruction hollow = reconstructed(points.points, {.keeps_genus_zero = true});
+    check_valid(hollow);
+    CHECK(hollow.genus == std::vector<std::int64_t>{0});
+    CHECK(hollow.cavities == 0);
+}
+
 TEST_CASE("noise and strays change little") {
     core::Random random(tests::seed(1));
     tests::OrientedCloud points = tests::sphere_cloud({0, 0, 0}, 1, 3000, random);
