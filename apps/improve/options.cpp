@@ -14,12 +14,12 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     std::string schedule = name_of(schedule_names, parameters.schedule);
     bool has_no_mfrt = false, has_no_thinning = false, keeps_boundary = false;
 
-    apps::CommandLine line("improve",
-                           "Improves a tetrahedral mesh: larger angles, no new vertices, the boundary stays where it "
-                           "is. Reads and writes TetGen .node/.ele, MEDIT .mesh, Gmsh .msh, .vtu and legacy .vtk.",
-                           "improve bracket.mesh -o better.mesh --measure sine --html bracket.html",
-                           {.output = "write the improved mesh to this file, in the format of its extension",
-                            .may_replace_input = true});
+    apps::CommandLine line(
+        "improve",
+        "Improves a tetrahedral mesh: larger angles, no new vertices, the boundary stays where it "
+        "is. Reads and writes TetGen .node/.ele, MEDIT .mesh, Gmsh .msh, .vtu and legacy .vtk.",
+        "improve bracket.mesh -o better.mesh --measure sine --html bracket.html",
+        {.output = "write the improved mesh to this file, in the format of its extension", .may_replace_input = true});
     line.input_file("IN", options.input, "the mesh");
     line.heading("What is better");
     line.choice("--measure", measure, all_names(measure_names),

@@ -103,15 +103,17 @@ void measure(const Cloud& cloud, std::vector<Point3> points, const ReconstructPa
 }
 
 void require_sensible_detail(double detail, const Cloud& cloud, const ReconstructParameters& parameters) {
+    constexpr double beyond_rounding = 1.01;  // so that what a message proposes to three digits is not refused
     const double least = parameters.least_detail * cloud.median_spacing * cloud.scale;
     const double most = parameters.most_detail * cloud.scale;
     if (detail < least)
         throw core::UsageError(
             "detail: far below the spacing of the points, which say nothing about edges so short; "
             "give at least " +
-            io::number_text(least, 3));
+            io::number_text(beyond_rounding * least, 3));
     if (detail > most)
-        throw core::UsageError("detail: too long for a cloud of this size; give at most " + io::number_text(most, 3));
+        throw core::UsageError("detail: too long for a cloud of this size; give at most " +
+                               io::number_text(most / beyond_rounding, 3));
 }
 
 // So many that their disk is as wide as noise asks for, which is a ratio of the spacing.

@@ -29,6 +29,7 @@ Workbench::Workbench(dsc3d::Mesh& mesh, double edge_length, const WorkbenchParam
       rated_(mesh, geometry::QualityMeasure::minimum_sine, dsc3d::FlatSurface::flat_boundary(mesh)),
       length_(mesh, edge_length, parameters_.growth),
       way_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
+      pull_(mesh.complex().vertex_attributes(), Point3(Point3::Zero())),
       advance_(mesh),
       upkeep_(rated_, parameters_.seed) {}
 

@@ -50,7 +50,7 @@ public:
     void keep_up();
 
 private:
-    dsc3d::PassContext context() { return {rated_, parameters_, length_, way_, region_, listener_, report_}; }
+    dsc3d::PassContext context() { return {rated_, parameters_, length_, way_, pull_, region_, listener_, report_}; }
 
     dsc3d::Mesh& mesh_;
     WorkbenchParameters own_;
@@ -60,7 +60,7 @@ private:
     dsc3d::Region region_;
     dsc3d::Listener listener_;
     dsc3d::StepReport report_;
-    core::Attribute<VertexId, Point3> way_;
+    core::Attribute<VertexId, Point3> way_, pull_;  ///< none: there are no steps, and no walls
     dsc3d::Advance advance_;
     dsc3d::Upkeep upkeep_;
     dsc3d::EdgeCollapse collapse_;
