@@ -107,7 +107,7 @@ TEST_CASE("a hole in the sampling is bridged, and what bridges it is marked") {
     CHECK(invented > 0);
 }
 
-TEST_CASE("scans of one side are closed, and what closes them is marked") {
+TEST_CASE("scans of one side are closed, and what closes them is marked", "[slow]") {
     core::Random random(tests::seed(1));
     std::vector<std::vector<Point3>> scans = {tests::sphere_cloud({0, 0, 0}, 1, 3000, random).points,
                                               tests::torus_cloud(1, 0.4, 4000, random).points};
@@ -163,7 +163,7 @@ TEST_CASE("noise and strays change little") {
     CHECK(*result.check.volume == Approx(4 * std::numbers::pi / 3).epsilon(0.01));
 }
 
-TEST_CASE("scale and place don't matter, and neither does the number of threads") {
+TEST_CASE("scale and place don't matter, and neither does the number of threads", "[slow]") {
     core::Random random(tests::seed(1));
     const std::vector<Point3> points = tests::torus_cloud(1, 0.4, 900, random).points;
     const Reconstruction result = reconstructed(points, {.threads = 1});
