@@ -13,6 +13,7 @@
 #include "dsc3d/generate/fit.h"
 #include "dsc3d/generate/lattice.h"
 #include "dsc3d/interface.h"
+#include "tests/apps/flow/stop_after.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace dsc;
@@ -39,16 +40,6 @@ struct Run {
     tests::TemporaryFolder folder;
     std::optional<dsc3d::Mesh> mesh;
     FlowResult result;
-};
-
-class StopAfter final : public core::Observer {
-public:
-    explicit StopAfter(int steps) : left_(steps) {}
-    void progress(std::string_view, double, std::string_view) override { --left_; }
-    bool is_cancelled() const override { return left_ <= 0; }
-
-private:
-    int left_;
 };
 
 }  // namespace
@@ -119,7 +110,7 @@ TEST_CASE("balls that meet are one event, in the step and at the place where the
 TEST_CASE("a run that is stopped keeps the steps made, and one whose targets are no numbers says where") {
     {
         Run run(20);
-        StopAfter observer(3);
+        tests::StopAfter observer(3);
         run.go(motion_targets({}, run.result.domain, 1), observer);
         CHECK(run.result.end == FlowEnd::cancelled);
         CHECK(run.result.steps.size() == 4);
