@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/sort_unique.h"
+#include "dsc3d/deform/move_to_link.h"
 
 namespace dsc::dsc3d {
 
@@ -66,10 +67,12 @@ void InterfaceControl::run(PassContext& context) {
         const auto [a, b] = context.complex().vertices(e);
         vertices.insert(vertices.end(), {a, b});
     }
+    const std::vector<VertexId> visited = context.region.interface_vertices(context.complex());
     context.region.clear();
     if (context.parameters.collapses_interface) {
         collapse_short_edges(context, edges);
         remove_degenerate_edges(context, edges);
+        retract_threads(context, visited);
     }
     if (context.parameters.flips_interface) remove_caps(context, edges);
     if (context.parameters.splits_interface) split_long_edges(context, edges);
@@ -130,6 +133,46 @@ void InterfaceControl::remove_degenerate_edges(PassContext& context, std::span<c
         context.report.counts.collapses += collapse_to(context, e, place) ? 1 : 0;
     }
     context.region.settle(complex);
+}
+
+// Vertex by vertex from the ends. What holds a thread does not let its edges change: all that was visited is looked at.
+void InterfaceControl::retract_threads(PassContext& context, std::span<const VertexId> candidates) {
+    std::vector<VertexId> waiting(candidates.begin(), candidates.end());
+    while (!waiting.empty()) {
+        const VertexId end = waiting.back();
+        waiting.pop_back();
+        if (!thread_end_.find(context, end)) continue;
+        const VertexId kept = collapse_thread_end(context, end);
+        if (!kept.is_valid()) {
+            pull_thread_end(context, end);
+            continue;
+        }
+        ++context.report.counts.collapses;
+        for (const TetId t : context.mesh.walker().star(kept)) {
+            const TetVertices& corners = context.complex().vertices(t);
+            waiting.insert(waiting.end(), corners.begin(), corners.end());
+        }
+    }
+    context.region.settle(context.complex());
+}
+
+// Precondition of both: the thread end that was found last is `end`.
+VertexId InterfaceControl::collapse_thread_end(PassContext& context, VertexId end) {
+    for (const auto& [length, e] : thread_end_.spokes()) {
+        const auto [a, b] = context.complex().vertices(e);
+        const VertexId kept = a == end ? b : a;
+        if (!context.complex().is_boundary(kept) && collapse_to(context, e, context.mesh.position(kept))) return kept;
+    }
+    return VertexId();
+}
+
+// Along the thread, as far as what is around it lets it go for now.
+void InterfaceControl::pull_thread_end(PassContext& context, VertexId end) {
+    const auto [a, b] = context.complex().vertices(thread_end_.shortest_along());
+    const Point3 target = context.mesh.position(a == end ? b : a);
+    move_to_link(context.mesh, end, target,
+                 {.least_quality = context.parameters.interface_quality, .approach = context.parameters.approach});
+    context.region.add_star(context.mesh, end);
 }
 
 // A triangle that is that low over its longest edge gives this edge up, bent as it may be.

@@ -22,6 +22,7 @@ void DeformParameters::validate() const {
     require(gap_reach >= 0, "gap_reach", "at least 0");
     require(foot_width > 0, "foot_width", "positive");
     require(crumb_volume >= 0, "crumb_volume", "at least 0");
+    require(thread_volume >= 0, "thread_volume", "at least 0");
     require(stride > 0, "stride", "positive");
     require(most_line_substeps >= 1, "most_line_substeps", "at least 1");
     require(most_substeps >= 1, "most_substeps", "at least 1");

@@ -27,6 +27,7 @@ TEST_CASE("deformation parameters out of their range are refused by name, and on
     refused("gap_width", [](P& p) { p.gap_width = 0.9 * p.contact_distance; });
     refused("gap_reach", [](P& p) { p.gap_reach = -1; });
     refused("crumb_volume", [](P& p) { p.crumb_volume = -1; });
+    refused("thread_volume", [](P& p) { p.thread_volume = -1; });
     refused("stride", [](P& p) { p.stride = 0; });
     refused("max_substeps", [](P& p) { p.max_substeps = 0; });
     refused("stalling_share", [](P& p) { p.stalling_share = 1.1; });
