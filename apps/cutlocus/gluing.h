@@ -71,4 +71,6 @@ private:
 /// `theta` brought to [0, 2π).
 double wrapped_angle(double theta);
 
+inline constexpr double full_turn = 2 * std::numbers::pi;
+
 }  // namespace dsc::cutlocus

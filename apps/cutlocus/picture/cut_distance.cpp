@@ -8,9 +8,7 @@
 
 namespace dsc::cutlocus {
 
-namespace {
-constexpr double full_turn = 2 * std::numbers::pi;
-}
+namespace {}
 
 CutDistance::CutDistance(const CutLocus& locus) : limit_(locus.front.distance) {
     if (locus.graph.arcs.empty()) {

@@ -17,8 +17,6 @@ using geodesic::Point2;
 
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
-
 FanRay shot(GeodesicFlow& flow, double theta, const CutDistance::Reach& reach, double step) {
     FanRay ray{.theta = theta, .length = reach.distance, .ends_on_locus = reach.is_on_locus, .step = step};
     ray.states.push_back(flow.start(theta));

@@ -16,8 +16,6 @@ using dsc::geometry::QualityMeasure;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // A face counterclockwise as seen from its upper vertex.
 struct Sandwiched {
     FaceVertices vertices;
