@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "apps/cutlocus/meetings.h"
 #include "apps/cutlocus/vertices.h"

@@ -8,7 +8,6 @@
 
 #include "apps/reconstruct/dipole_sum.h"
 #include "apps/reconstruct/octree_points.h"
-#include "core/errors.h"
 #include "core/parallel.h"
 #include "core/require.h"
 #include "dsc3d/components.h"

@@ -7,7 +7,6 @@
 #include <queue>
 
 #include "apps/reconstruct/dipole_sum.h"
-#include "core/errors.h"
 #include "core/require.h"
 
 namespace dsc::reconstruct {

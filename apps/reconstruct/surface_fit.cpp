@@ -5,7 +5,6 @@
 #include <cmath>
 #include <queue>
 
-#include "core/errors.h"
 #include "core/parallel.h"
 #include "core/require.h"
 #include "surface/triangle.h"

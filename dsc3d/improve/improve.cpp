@@ -6,7 +6,6 @@
 #include <numbers>
 #include <string>
 
-#include "core/errors.h"
 #include "core/require.h"
 #include "dsc3d/improve/angle_range.h"
 #include "dsc3d/improve/schedule.h"

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "apps/cutlocus/gluing.h"
 
 namespace dsc::cutlocus {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <list>
-#include <numbers>
 
+#include "apps/cutlocus/gluing.h"
 #include "core/assert.h"
 
 namespace dsc::cutlocus {

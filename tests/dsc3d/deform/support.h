@@ -82,7 +82,7 @@ public:
 };
 
 /// The signed distance from a sphere, negative inside.
-inline std::function<double(const Point3&)> sphere(const Point3& centre, double radius) {
+inline std::function<double(const Point3&)> distance_from_sphere(const Point3& centre, double radius) {
     return [centre, radius](const Point3& p) { return (p - centre).norm() - radius; };
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// A ball in a box, everything else shaken.
 Mesh shaken(std::uint64_t number) {
     core::Random random(number);
-    TetData data = box_with(sphere({0.5, 0.5, 0.5}, 0.25), 0.14).data();
+    TetData data = box_with(distance_from_sphere({0.5, 0.5, 0.5}, 0.25), 0.14).data();
     shake_inside(data, 0.08, random);
     return Mesh(data);
 }

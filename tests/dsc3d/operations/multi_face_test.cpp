@@ -2,7 +2,6 @@
 #include "dsc3d/operations/multi_face.h"
 
 #include <bit>
-#include <limits>
 
 #include "tests/dsc3d/samples.h"
 #include "tests/dsc3d/support.h"
