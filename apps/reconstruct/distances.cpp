@@ -16,7 +16,7 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using KernelTriangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, KernelTriangles::const_iterator>;
 
 Kernel::Point_3 cgal_point(const Point3& p) { return {p.x(), p.y(), p.z()}; }
 

@@ -34,7 +34,7 @@ std::string array(const std::string& name, int components, const std::string& nu
            "\" format=\"ascii\">" + numbers + "</DataArray>\n";
 }
 
-std::string bytes_of(const std::vector<double>& values) {
+std::string raw_bytes(const std::vector<double>& values) {
     std::string bytes(8 * values.size(), '\0');
     std::memcpy(bytes.data(), values.data(), bytes.size());
     return bytes;
@@ -69,10 +69,10 @@ TEST_CASE("a VTI file is read however its numbers are stored") {
     const std::string header(reinterpret_cast<const char*>(&size), 8);
     const std::string appended = "<DataArray type=\"Float64\" Name=\"u\" format=\"appended\" offset=\"0\"/>\n";
     check_ramp(read_image(document(
-        appended, grid, "<AppendedData encoding=\"raw\">\n_" + header + bytes_of(ramp) + "\n</AppendedData>\n")));
+        appended, grid, "<AppendedData encoding=\"raw\">\n_" + header + raw_bytes(ramp) + "\n</AppendedData>\n")));
     check_ramp(read_image(document(
         appended, grid,
-        "<AppendedData encoding=\"base64\">\n_" + io::base64(header + bytes_of(ramp)) + "\n</AppendedData>\n")));
+        "<AppendedData encoding=\"base64\">\n_" + io::base64(header + raw_bytes(ramp)) + "\n</AppendedData>\n")));
 }
 
 TEST_CASE("arrays are found by name or by their number of components") {

@@ -56,11 +56,11 @@ TEST_CASE("three labels of a block have their volumes and meet in one straight l
     REQUIRE(block.sides.size() == block.surface.triangles.size());
     const double half = 0.24;
     for (const auto& [label, volume] : std::map<int, double>{{1, half}, {2, half / 2}, {3, half / 2}}) {
-        const geometry::SurfaceCheck check = require_closed(boundary(block_box, label));
+        const geometry::SurfaceCheck check = require_closed(boundary(block, label));
         CHECK(*check.genus == 0);
         CHECK(*check.volume == Approx(volume).epsilon(1e-12));
     }
-    CHECK(*geometry::check_surface(boundary(block_box, 0)).volume == Approx(-2 * half).epsilon(1e-12));
+    CHECK(*geometry::check_surface(boundary(block, 0)).volume == Approx(-2 * half).epsilon(1e-12));
 
     std::map<std::uint32_t, std::set<int>> labels;
     for (std::size_t i = 0; i < block.sides.size(); ++i)
