@@ -16,7 +16,7 @@ namespace dsc::dsc3d {
 namespace {
 
 /// A face as it is seen from one of its tetrahedra.
-struct Side {
+struct FaceSide {
     FaceId face;
     std::uint32_t side;
 
@@ -86,7 +86,7 @@ private:
             // In a closed ring the walk begins behind a surface face.
             std::size_t start = 0;
             while (ring.is_closed && !complex_.is_surface(face_between(ring, start))) ++start;
-            Side entry = {};
+            FaceSide entry = {};
             for (std::size_t i = 0; i < count; ++i) {
                 const std::size_t k = (start + i) % count;
                 const TetId t = ring.tets[k];
@@ -106,14 +106,14 @@ private:
         return {};
     }
     FaceId face_between(const EdgeRing& ring, std::size_t i) const { return face_of(ring, ring.tets[i], ring.link[i]); }
-    Side side(FaceId f, TetId t) const { return {f, complex_.tets(f)[0] == t ? 0u : 1u}; }
+    FaceSide side(FaceId f, TetId t) const { return {f, complex_.tets(f)[0] == t ? 0u : 1u}; }
 
-    std::uint32_t corner(const Side& side, VertexId v) const {
+    std::uint32_t corner(const FaceSide& side, VertexId v) const {
         const FaceVertices corners = complex_.vertices(side.face);
         return 3 * side.index() + static_cast<std::uint32_t>(std::ranges::find(corners, v) - corners.begin());
     }
 
-    void join(const Side& first, const Side& second, const EdgeRing& ring, int label) {
+    void join(const FaceSide& first, const FaceSide& second, const EdgeRing& ring, int label) {
         sides_.unite(first.index(), second.index());
         for (const VertexId v : {ring.a, ring.b}) corners_.unite(corner(first, v), corner(second, v));
         --euler_[label];
@@ -129,7 +129,7 @@ private:
                 const TetId t = complex_.tets(f)[k];
                 if (!t.is_valid()) continue;
                 const int label = complex_.label(t);
-                const std::uint32_t index = Side{f, k}.index();
+                const std::uint32_t index = FaceSide{f, k}.index();
                 if (sides_.find(index) == index) ++labels_[label].surfaces;
                 ++euler_[label];
                 for (std::uint32_t i = 3 * index; i < 3 * index + 3; ++i)

@@ -19,13 +19,13 @@ constexpr double smallest_definiteness = 1e-14;  // of det / trace²: below it E
 constexpr std::size_t searched_minima = 16;
 constexpr int period_samples = 256;
 
-std::string text(double value) {
+std::string short_text(double value) {
     std::array<char, 32> buffer;
     std::snprintf(buffer.data(), buffer.size(), "%.6g", value);
     return buffer.data();
 }
 
-std::string place(const Point2& x) { return "u = " + text(x.x()) + ", v = " + text(x.y()); }
+std::string place(const Point2& x) { return "u = " + short_text(x.x()) + ", v = " + short_text(x.y()); }
 
 class Checker {
 public:
@@ -58,8 +58,8 @@ public:
             const double change = relative_change(metric_.local_geometry(x), metric_.local_geometry(x + translation));
             if (!(change <= parameters_.period_tolerance))
                 throw core::InputError(source_, place(x),
-                                       "the metric changes by a fraction " + text(change) + " over the period " +
-                                           text(translation.norm()) + " in " + direction,
+                                       "the metric changes by a fraction " + short_text(change) + " over the period " +
+                                           short_text(translation.norm()) + " in " + direction,
                                        "correct the expression or --period");
         }
     }
@@ -70,14 +70,14 @@ private:
         const MetricTensor g = metric_.tensor(x);
         const double determinant = g.determinant(), trace = g.E + g.G, value = determinant / (trace * trace);
         if (!std::isfinite(g.E + g.F + g.G))
-            throw core::InputError(
-                source_, place(x),
-                "the metric is not finite: E = " + text(g.E) + ", F = " + text(g.F) + ", G = " + text(g.G),
-                "it must be a number everywhere on the chart");
+            throw core::InputError(source_, place(x),
+                                   "the metric is not finite: E = " + short_text(g.E) + ", F = " + short_text(g.F) +
+                                       ", G = " + short_text(g.G),
+                                   "it must be a number everywhere on the chart");
         if (!(g.E > 0 && g.G > 0 && value > smallest_definiteness))
             throw core::InputError(
                 source_, place(x),
-                "E G - F^2 = " + text(determinant) + " with E = " + text(g.E) + ", G = " + text(g.G) +
+                "E G - F^2 = " + short_text(determinant) + " with E = " + short_text(g.E) + ", G = " + short_text(g.G) +
                     ": the metric is " +
                     (g.E > 0 && g.G > 0 && determinant > 0 ? "degenerate to rounding" : "not positive definite"),
                 "it must be everywhere on the chart");

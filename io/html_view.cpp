@@ -15,7 +15,7 @@ namespace dsc::io {
 
 namespace {
 
-constexpr int picture_digits = 7;
+constexpr int view_digits = 7;
 constexpr int value_digits = 4;  // of a cell: a colour, and a figure to read
 
 // Coordinates go straight to text: a scene has millions of them, too many for a tree of JSON values.
@@ -24,7 +24,7 @@ void append_coordinates(std::string& text, std::span<const Eigen::Vector3d> poin
     for (const Eigen::Vector3d& point : points) {
         for (const double x : point) {
             if (std::isfinite(x)) {
-                append_number(text, x, picture_digits);
+                append_number(text, x, view_digits);
             } else {
                 text += "null";
             }
@@ -57,7 +57,7 @@ std::string texts(const std::vector<std::string>& values) {
     return Json::array(Json::Array(values.begin(), values.end())).dump();
 }
 
-std::string numbers(std::span<const double> values) { return Json(values).dump(-1, picture_digits); }
+std::string numbers(std::span<const double> values) { return Json(values).dump(-1, view_digits); }
 
 // The members that every kind of item has; leaves the object open.
 void begin_item(std::string& text, const std::string& name, const std::string& colour, bool is_visible) {

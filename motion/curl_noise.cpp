@@ -17,7 +17,7 @@ namespace dsc::motion {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int samples_per_wave = 10;    // of the lattice on which the largest speed is looked for
 constexpr double worth_climbing = 0.8;  // [largest speed of the lattice]
 constexpr double finest_step = 1e-3;    // of the climb [lattice spacing]

@@ -10,7 +10,7 @@ namespace dsc::motion {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double perpendicular = 1e-12;  // cosine of what counts as a right angle
 
 double squared_sine(double x) {

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surface/parameter_check.h"
+#include "core/require.h"
 #include "surface/triangle.h"
 
 namespace dsc::surface {
 
 namespace {
-
-bool has(const RingTriangle& triangle, const Point3& end) { return triangle.a == end || triangle.b == end; }
 
 /// The middle of the edge, moved by as little as keeps the volume between the two rings and any place inside.
 std::optional<Point3> volume_keeping_middle(const OneRing& a, const OneRing& b) {
@@ -26,7 +24,7 @@ std::optional<Point3> volume_keeping_middle(const OneRing& a, const OneRing& b) 
     };
     for (const RingTriangle& t : a.triangles) add(a.centre, t);
     for (const RingTriangle& t : b.triangles) {
-        if (!has(t, a.centre)) add(b.centre, t);
+        if (!t.has(a.centre)) add(b.centre, t);
     }
     const double square = gradient.squaredNorm();
     if (!(square > 0)) return {};
@@ -72,10 +70,10 @@ private:
     template <class Visit>
     void for_each_left(const Visit& visit) const {
         for (const RingTriangle& t : a_.triangles) {
-            if (!has(t, b_.centre)) visit(a_.centre, t);
+            if (!t.has(b_.centre)) visit(a_.centre, t);
         }
         for (const RingTriangle& t : b_.triangles) {
-            if (!has(t, a_.centre)) visit(b_.centre, t);
+            if (!t.has(a_.centre)) visit(b_.centre, t);
         }
     }
 
@@ -92,9 +90,9 @@ VertexFeature feature(const OneRing& ring, double feature_angle) {
 }  // namespace
 
 void CollapseParameters::validate() const {
-    require_range(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
-    require_range(max_turn > 0 && max_turn < 90, "max_turn", "in (0, 90)");
-    require_range(min_angle >= 0 && min_angle < 60, "min_angle", "in [0, 60)");
+    core::require(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
+    core::require(max_turn > 0 && max_turn < 90, "max_turn", "in (0, 90)");
+    core::require(min_angle >= 0 && min_angle < 60, "min_angle", "in [0, 60)");
 }
 
 std::optional<Point3> collapsed_position(const OneRing& a, VertexFeature feature_a, const OneRing& b,

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/require.h"
 #include "surface/features.h"
-#include "surface/parameter_check.h"
 #include "surface/triangle.h"
 
 namespace dsc::surface {
@@ -36,10 +36,10 @@ bool keeps_orientation(const Point3& a, const Point3& b, const Point3& c, const 
 }  // namespace
 
 void FlipParameters::validate() const {
-    require_range(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
-    require_range(max_volume >= 0 && max_volume <= 0.11, "max_volume", "in [0, 0.11]");
-    require_range(coplanar_distance >= 0, "coplanar_distance", "at least 0");
-    require_range(min_gain >= 0, "min_gain", "at least 0");
+    core::require(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
+    core::require(max_volume >= 0 && max_volume <= 0.11, "max_volume", "in [0, 0.11]");
+    core::require(coplanar_distance >= 0, "coplanar_distance", "at least 0");
+    core::require(min_gain >= 0, "min_gain", "at least 0");
 }
 
 double flatness(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/edge_split.h"
 
+#include "core/require.h"
 #include "surface/features.h"
-#include "surface/parameter_check.h"
 #include "surface/triangle.h"
 
 namespace dsc::surface {
@@ -32,7 +32,7 @@ Vector3 bulge(const OneRing& ring, const Point3& end, double feature_angle) {
 }  // namespace
 
 void SplitParameters::validate() const {
-    require_range(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
+    core::require(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
 }
 
 Point3 split_position(const OneRing& a, const OneRing& b, const SplitParameters& parameters) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/assert.h"
-#include "surface/parameter_check.h"
+#include "core/require.h"
 #include "surface/triangle.h"
 
 namespace dsc::surface {
@@ -39,8 +39,8 @@ Vector3 displacement(const OneRing& ring, const Distance& distance, const Offset
 }  // namespace
 
 void OffsetParameters::validate() const {
-    require_range(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
-    require_range(max_stretch >= 1, "max_stretch", "at least 1");
+    core::require(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
+    core::require(max_stretch >= 1, "max_stretch", "at least 1");
 }
 
 Vector3 offset_displacement(const OneRing& ring, std::span<const double> distances,

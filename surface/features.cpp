@@ -17,15 +17,13 @@ struct FeatureEdges {
     Vector3 second = Vector3::Zero();
 };
 
-bool has(const RingTriangle& triangle, const Point3& end) { return triangle.a == end || triangle.b == end; }
-
 /// Each neighbour at a feature edge, once.
 template <class Visit>
 void for_each_feature_end(const OneRing& ring, double feature_angle, const Visit& visit) {
     for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
         for (const Point3& end : {ring.triangles[i].a, ring.triangles[i].b}) {
             const bool is_known =
-                std::ranges::any_of(ring.triangles.first(i), [&](const auto& t) { return has(t, end); });
+                std::ranges::any_of(ring.triangles.first(i), [&](const auto& t) { return t.has(end); });
             if (!is_known && is_feature_edge(ring, end, feature_angle)) visit(end);
         }
     }
@@ -55,7 +53,7 @@ bool is_feature_edge(const OneRing& ring, const Point3& end, double feature_angl
     int count = 0;
     std::array<Vector3, 2> normals;
     for (const RingTriangle& triangle : ring.triangles) {
-        if (!has(triangle, end)) continue;
+        if (!triangle.has(end)) continue;
         if (++count > 2) return true;
         // Turned so that the edge goes the same way round in both, whatever their orientation.
         const Vector3 normal = unit_normal(ring.centre, triangle.a, triangle.b);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "surface/parameter_check.h"
+#include "core/require.h"
 #include "surface/triangle.h"
 
 namespace dsc::surface {
@@ -47,9 +47,9 @@ bool turns_over(const OneRing& ring, const Point3& centre) {
 }  // namespace
 
 void SmoothingParameters::validate() const {
-    require_range(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
-    require_range(freedom >= 0, "freedom", "at least 0");
-    require_range(good_angle >= 0 && good_angle <= 60, "good_angle", "in [0, 60]");
+    core::require(feature_angle > 0 && feature_angle < 90, "feature_angle", "in (0, 90)");
+    core::require(freedom >= 0, "freedom", "at least 0");
+    core::require(good_angle >= 0 && good_angle <= 60, "good_angle", "in [0, 60]");
 }
 
 double min_angle_at(const OneRing& ring, const Point3& centre) {

@@ -23,6 +23,8 @@ using Vector3 = Eigen::Vector3d;
 struct RingTriangle {
     Point3 a;
     Point3 b;
+
+    bool has(const Point3& end) const { return a == end || b == end; }
 };
 
 struct OneRing {

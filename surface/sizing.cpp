@@ -8,8 +8,8 @@
 
 #include "core/assert.h"
 #include "core/errors.h"
+#include "core/require.h"
 #include "surface/curvature.h"
-#include "surface/parameter_check.h"
 #include "surface/thickness.h"
 #include "surface/triangle.h"
 #include "surface/vertex_rings.h"
@@ -33,11 +33,11 @@ double length_of_field(const SizingParameters& parameters, const Point3& place) 
 }  // namespace
 
 void SizingParameters::validate() const {
-    require_range(length > 0 && std::isfinite(length), "length", "positive");
-    require_range(is_uniform() || (min_length > 0 && min_length <= length), "min_length", "in (0, length]");
-    require_range(!max_turn || (*max_turn > 0 && *max_turn <= 90), "max_turn", "in (0, 90]");
-    require_range(!edges_across || *edges_across > 0, "edges_across", "positive");
-    require_range(gradation > 0, "gradation", "positive");
+    core::require(length > 0 && std::isfinite(length), "length", "positive");
+    core::require(is_uniform() || (min_length > 0 && min_length <= length), "min_length", "in (0, length]");
+    core::require(!max_turn || (*max_turn > 0 && *max_turn <= 90), "max_turn", "in (0, 90]");
+    core::require(!edges_across || *edges_across > 0, "edges_across", "positive");
+    core::require(gradation > 0, "gradation", "positive");
 }
 
 std::vector<double> lengths_by_curvature(const geometry::SurfaceData& surface, double max_turn) {

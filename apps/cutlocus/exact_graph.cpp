@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "apps/cutlocus/meetings.h"
 #include "apps/cutlocus/vertices.h"
@@ -19,7 +18,6 @@ using geodesic::Meeting;
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 /// Local error of the integrator's steps, in units of what the end of a geodesic may be off.
 constexpr double exact_step_tolerance = 1e-2;
 /// The same next to a conjugate end, where that is not always enough; and as much as round-off allows.
@@ -189,7 +187,7 @@ CutVertex cut_vertex(const SolvedVertex& vertex) {
     result.x = vertex.arrivals.front().x;
     result.distance = vertex.distance;
     result.residual = vertex.residual;
-    for (const GeodesicState& state : vertex.arrivals) result.thetas.push_back(std::remainder(state.theta, turn));
+    for (const GeodesicState& state : vertex.arrivals) result.thetas.push_back(std::remainder(state.theta, full_turn));
     std::sort(result.thetas.begin(), result.thetas.end());
     return result;
 }

@@ -9,6 +9,7 @@
 // round an end point, after two along an arc, after k >= 3 round a branch point of degree k.
 #pragma once
 
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -70,5 +71,8 @@ private:
 
 /// `theta` brought to [0, 2π).
 double wrapped_angle(double theta);
+
+/// [rad]
+inline constexpr double full_turn = 2 * std::numbers::pi;
 
 }  // namespace dsc::cutlocus

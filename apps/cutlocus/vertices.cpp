@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/assert.h"
 #include "geodesic/connect.h"
@@ -18,20 +17,18 @@ using geodesic::LatticeVector;
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-
 /// Directions of gap k: its ends, the upper one unwrapped above the lower one.
 struct GapRange {
     double low, high;
 
     GapRange(const Gluing& gluing, int gap)
         : low(gluing.entry(gap).theta), high(low + wrapped_angle(gluing.entry(gap + 1).theta - low)) {
-        if (gluing.size() > 0 && high == low) high = low + turn;
+        if (gluing.size() > 0 && high == low) high = low + full_turn;
     }
     double middle() const { return (low + high) / 2; }
     /// How far theta lies outside: negative below, positive above, 0 inside.
     double excess(double theta) const {
-        const double centred = middle() + std::remainder(theta - middle(), turn);
+        const double centred = middle() + std::remainder(theta - middle(), full_turn);
         return centred < low ? centred - low : centred > high ? centred - high : 0;
     }
 };

@@ -22,14 +22,6 @@ constexpr double margin = 12, title_height = 20, bar_height = 100, axis_height =
 constexpr double panel_height = title_height + bar_height + axis_height;
 constexpr double text_size = 11;
 
-std::vector<double> shares(const MeshStatistics& mesh) {
-    std::vector<double> result;
-    for (const std::size_t count : angle_histogram(mesh, bins)) {
-        result.push_back(static_cast<double>(count) / static_cast<double>(6 * mesh.tets));
-    }
-    return result;
-}
-
 // The highest bar of a mesh without up to four that are more than twice as high as all its others: a mesh made of a few
 // shapes has a few angles very often. 0 when there are no others.
 double highest_ordinary_share(std::vector<double> values) {
@@ -44,7 +36,7 @@ double highest_ordinary_share(std::vector<double> values) {
 double share_of_full_height(const std::vector<AngleHistogram>& histograms) {
     double highest = 0, ordinary = 0;
     for (const AngleHistogram& histogram : histograms) {
-        const std::vector<double> values = shares(histogram.statistics);
+        const std::vector<double> values = angle_shares(histogram.statistics, bins);
         highest = std::max(highest, std::ranges::max(values));
         ordinary = std::max(ordinary, highest_ordinary_share(values));
     }
@@ -65,7 +57,7 @@ public:
 
     void draw(const AngleHistogram& histogram) {
         picture_.label({0, base_ + bar_height + 8}, title(histogram), text_size);
-        const std::vector<double> share = shares(histogram.statistics);
+        const std::vector<double> share = angle_shares(histogram.statistics, bins);
         picture_.begin_group(histogram.name, {.stroke = "none", .fill = "#4a7ab5"});
         for (std::size_t i = 0; i < share.size(); ++i) bar(i, share[i]);
         picture_.end_group();

@@ -110,4 +110,11 @@ std::vector<std::size_t> angle_histogram(const MeshStatistics& statistics, std::
     return histogram;
 }
 
+std::vector<double> angle_shares(const MeshStatistics& statistics, std::size_t bins) {
+    std::vector<double> shares;
+    for (const std::size_t count : angle_histogram(statistics, bins))
+        shares.push_back(static_cast<double>(count) / static_cast<double>(6 * statistics.tets));
+    return shares;
+}
+
 }  // namespace dsc::improve

@@ -44,4 +44,7 @@ std::vector<double> qualities(const geometry::TetData& data, geometry::QualityMe
 /// `angle_counts` summed up in `bins` bins of equal width; precondition: 180 is a multiple of `bins`.
 std::vector<std::size_t> angle_histogram(const MeshStatistics& statistics, std::size_t bins);
 
+/// The share of each bin among all angles: that is what bars of meshes of different size have in common.
+std::vector<double> angle_shares(const MeshStatistics& statistics, std::size_t bins);
+
 }  // namespace dsc::improve

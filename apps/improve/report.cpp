@@ -62,15 +62,6 @@ std::string figures(const Improvement& improvement) {
     return table.text();
 }
 
-// The share of each bin among all angles: that is what bars of meshes of different size have in common.
-std::vector<double> shares(const MeshStatistics& mesh) {
-    std::vector<double> result;
-    for (const std::size_t count : angle_histogram(mesh, text_bins)) {
-        result.push_back(static_cast<double>(count) / static_cast<double>(6 * mesh.tets));
-    }
-    return result;
-}
-
 // The few worst angles are the ones that matter: where there are any, there is a dot at least.
 std::string bar(double fraction) {
     const std::string hashes(static_cast<std::size_t>(std::lround(longest_bar * fraction)), '#');
@@ -81,13 +72,14 @@ std::string histogram(const Improvement& improvement) {
     std::vector<const MeshStatistics*> meshes{&improvement.before};
     if (improvement.after) meshes.push_back(&*improvement.after);
     double largest = 0;
-    for (const MeshStatistics* mesh : meshes) largest = std::max(largest, std::ranges::max(shares(*mesh)));
+    for (const MeshStatistics* mesh : meshes)
+        largest = std::max(largest, std::ranges::max(angle_shares(*mesh, text_bins)));
     std::string text = "all dihedral angles\n";
     for (std::size_t bin = 0; bin < text_bins; ++bin) {
         std::string line = fmt::format("{:>3} to {:>3}", 180 / text_bins * bin, 180 / text_bins * (bin + 1));
         for (const MeshStatistics* mesh : meshes) {
-            line +=
-                fmt::format("{:>11} {:<22}", angle_histogram(*mesh, text_bins)[bin], bar(shares(*mesh)[bin] / largest));
+            line += fmt::format("{:>11} {:<22}", angle_histogram(*mesh, text_bins)[bin],
+                                bar(angle_shares(*mesh, text_bins)[bin] / largest));
         }
         text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
     }

@@ -10,16 +10,13 @@
 #include "core/disjoint_sets.h"
 #include "core/errors.h"
 #include "core/parallel.h"
+#include "core/require.h"
 
 namespace dsc::reconstruct {
 
 namespace {
 
 constexpr std::size_t popularity_neighbours = 8;
-
-void require(bool condition, const char* field, const char* range) {
-    if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
-}
 
 // The first of equal points, in the order of the input.
 std::vector<std::uint32_t> different_points(std::span<const Point3> points) {
@@ -140,11 +137,12 @@ void measure_spacing(Cloud& cloud, const CloudParameters& parameters) {
 }  // namespace
 
 void CloudParameters::validate() const {
-    require(neighbours >= 8, "neighbours", "at least 8");
-    require(spacing_neighbours >= 4 && spacing_neighbours <= neighbours, "spacing_neighbours", "in [4, neighbours]");
-    require(stray_distance > 1, "stray_distance", "greater than 1");
-    require(stray_popularity >= 0, "stray_popularity", "at least 0");
-    require(stray_part >= 0 && stray_part < 1, "stray_part", "in [0, 1)");
+    core::require(neighbours >= 8, "neighbours", "at least 8");
+    core::require(spacing_neighbours >= 4 && spacing_neighbours <= neighbours, "spacing_neighbours",
+                  "in [4, neighbours]");
+    core::require(stray_distance > 1, "stray_distance", "greater than 1");
+    core::require(stray_popularity >= 0, "stray_popularity", "at least 0");
+    core::require(stray_part >= 0 && stray_part < 1, "stray_part", "in [0, 1)");
 }
 
 void set_neighbours(Cloud& cloud, std::size_t count) {

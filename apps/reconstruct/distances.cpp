@@ -15,8 +15,8 @@ namespace dsc::reconstruct {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using KernelTriangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, KernelTriangles::const_iterator>;
 
 Kernel::Point_3 cgal_point(const Point3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -24,7 +24,7 @@ Kernel::Point_3 cgal_point(const Point3& p) { return {p.x(), p.y(), p.z()}; }
 
 std::vector<double> distances_from_surface(std::span<const Point3> points, const geometry::SurfaceData& surface,
                                            int threads) {
-    Triangles triangles;
+    KernelTriangles triangles;
     triangles.reserve(surface.triangles.size());
     for (const auto& [a, b, c] : surface.triangles)
         triangles.emplace_back(cgal_point(surface.vertices[a]), cgal_point(surface.vertices[b]),

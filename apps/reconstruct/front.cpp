@@ -8,8 +8,8 @@
 
 #include "apps/reconstruct/dipole_sum.h"
 #include "apps/reconstruct/octree_points.h"
-#include "core/errors.h"
 #include "core/parallel.h"
+#include "core/require.h"
 #include "dsc3d/components.h"
 #include "dsc3d/generate/delaunay.h"
 #include "dsc3d/generate/fit.h"
@@ -21,10 +21,6 @@ namespace {
 
 using dsc3d::TetId;
 using dsc3d::VertexId;
-
-void require(bool condition, const char* field, const char* range) {
-    if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
-}
 
 // Smaller leaves where points with opposite normals are near.
 std::vector<double> wanted_cells(const Cloud& cloud, const KdTree& tree, std::span<const Vector3> normals, double noise,
@@ -166,12 +162,12 @@ void drop_unsupported_parts(Front& front, const KdTree& tree, double least_suppo
 }  // namespace
 
 void FrontParameters::validate() const {
-    require(cell > 0, "cell", "positive");
-    require(cells_across > 0, "cells_across", "positive");
-    require(least_cell > 0 && least_cell <= cell, "least_cell", "in (0, cell]");
-    require(growth > 0, "growth", "positive");
-    require(margin > 0, "margin", "positive");
-    require(least_support >= 0 && least_support <= 1, "least_support", "in [0, 1]");
+    core::require(cell > 0, "cell", "positive");
+    core::require(cells_across > 0, "cells_across", "positive");
+    core::require(least_cell > 0 && least_cell <= cell, "least_cell", "in (0, cell]");
+    core::require(growth > 0, "growth", "positive");
+    core::require(margin > 0, "margin", "positive");
+    core::require(least_support >= 0 && least_support <= 1, "least_support", "in [0, 1]");
 }
 
 Front labelled_front(const Cloud& cloud, const Orientation& orientation, double noise,

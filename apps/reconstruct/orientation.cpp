@@ -7,7 +7,7 @@
 #include <queue>
 
 #include "apps/reconstruct/dipole_sum.h"
-#include "core/errors.h"
+#include "core/require.h"
 
 namespace dsc::reconstruct {
 
@@ -154,20 +154,16 @@ bool orient_doubtful(const Cloud& cloud, std::span<const double> winding, std::v
     return true;
 }
 
-void require(bool condition, const char* field, const char* range) {
-    if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
-}
-
 }  // namespace
 
 void OrientationParameters::validate() const {
-    require(most_points >= 4, "most_points", "at least 4");
-    require(noise_distance >= 0, "noise_distance", "at least 0");
-    require(rounds >= 1, "rounds", "at least 1");
-    require(passes >= 1, "passes", "at least 1");
-    require(repairs >= 0, "repairs", "at least 0");
-    require(first_width > 0, "first_width", "positive");
-    require(last_width > 0, "last_width", "positive");
+    core::require(most_points >= 4, "most_points", "at least 4");
+    core::require(noise_distance >= 0, "noise_distance", "at least 0");
+    core::require(rounds >= 1, "rounds", "at least 1");
+    core::require(passes >= 1, "passes", "at least 1");
+    core::require(repairs >= 0, "repairs", "at least 0");
+    core::require(first_width > 0, "first_width", "positive");
+    core::require(last_width > 0, "last_width", "positive");
 }
 
 Orientation oriented_normals(const Cloud& cloud, std::span<const Vector3> axes, double noise,

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <queue>
 
-#include "core/errors.h"
 #include "core/parallel.h"
+#include "core/require.h"
 #include "surface/triangle.h"
 
 namespace dsc::reconstruct {
@@ -495,25 +495,21 @@ private:
     Triangles ring_;
 };
 
-void require(bool condition, const char* field, const char* range) {
-    if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
-}
-
 }  // namespace
 
 void SurfaceFitParameters::validate() const {
-    require(approaches >= 1, "approaches", "at least 1");
-    require(rounds >= 0, "rounds", "at least 0");
-    require(claim_reach > 0, "claim_reach", "positive");
-    require(corner_reach > 0, "corner_reach", "positive");
-    require(claim_distance >= 0, "claim_distance", "at least 0");
-    require(cut_margin > 0 && cut_margin < 0.5, "cut_margin", "in (0, 0.5)");
-    require(short_edge >= 0, "short_edge", "at least 0");
-    require(refinements >= 0, "refinements", "at least 0");
-    require(refinement > 0, "refinement", "positive");
-    require(shortest_refined > 0, "shortest_refined", "positive");
-    require(decimation >= 0, "decimation", "at least 0");
-    require(longest_edge > 0, "longest_edge", "positive");
+    core::require(approaches >= 1, "approaches", "at least 1");
+    core::require(rounds >= 0, "rounds", "at least 0");
+    core::require(claim_reach > 0, "claim_reach", "positive");
+    core::require(corner_reach > 0, "corner_reach", "positive");
+    core::require(claim_distance >= 0, "claim_distance", "at least 0");
+    core::require(cut_margin > 0 && cut_margin < 0.5, "cut_margin", "in (0, 0.5)");
+    core::require(short_edge >= 0, "short_edge", "at least 0");
+    core::require(refinements >= 0, "refinements", "at least 0");
+    core::require(refinement > 0, "refinement", "positive");
+    core::require(shortest_refined > 0, "shortest_refined", "positive");
+    core::require(decimation >= 0, "decimation", "at least 0");
+    core::require(longest_edge > 0, "longest_edge", "positive");
 }
 
 SurfaceFitCounts fit_surface(Workbench& bench, const SurfaceModel& model,

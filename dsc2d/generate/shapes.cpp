@@ -14,13 +14,13 @@ namespace {
 
 using std::numbers::pi;
 
-void require(bool is_valid, const char* shape, const char* range) {
+void require_shape(bool is_valid, const char* shape, const char* range) {
     if (!is_valid) throw core::UsageError(std::string(shape) + ": " + range);
 }
 
 void require_length(const char* shape, double edge_length, double size) {
-    require(edge_length > 0 && std::isfinite(edge_length), shape, "the edge length has to be positive");
-    require(size / edge_length < 1e7, shape, "it would have more than 10000000 sides");
+    require_shape(edge_length > 0 && std::isfinite(edge_length), shape, "the edge length has to be positive");
+    require_shape(size / edge_length < 1e7, shape, "it would have more than 10000000 sides");
 }
 
 // Parts of a line of this length: their length is as near to the edge length as whole parts allow.
@@ -68,8 +68,8 @@ Region block_part(const std::vector<Point2>& corners, int label, double edge_len
 }  // namespace
 
 std::vector<Point2> regular_polygon(const Point2& centre, double radius, int corners, bool stands) {
-    require(radius > 0, "polygon", "the radius has to be positive");
-    require(corners >= 3, "polygon", "there have to be at least three sides");
+    require_shape(radius > 0, "polygon", "the radius has to be positive");
+    require_shape(corners >= 3, "polygon", "there have to be at least three sides");
     std::vector<Point2> points;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * pi * i / corners + (stands ? pi / 2 : 0);
@@ -100,7 +100,7 @@ std::vector<Region> disc(const Point2& centre, double radius, double edge_length
 }
 
 std::vector<Region> two_discs(const Point2& centre, double radius, double gap, double edge_length) {
-    require(gap > 0, "two-discs", "the gap has to be positive");
+    require_shape(gap > 0, "two-discs", "the gap has to be positive");
     const Point2 way(radius + gap / 2, 0);
     std::vector<Region> discs = disc(centre - way, radius, edge_length);
     discs.push_back(disc(centre + way, radius, edge_length).front());
@@ -108,7 +108,7 @@ std::vector<Region> two_discs(const Point2& centre, double radius, double gap, d
 }
 
 std::vector<Region> ring(const Point2& centre, double radius, double half_width, double edge_length) {
-    require(0 < half_width && half_width < radius, "ring", "half of its width has to be less than its radius");
+    require_shape(0 < half_width && half_width < radius, "ring", "half of its width has to be less than its radius");
     std::vector<Region> circles = disc(centre, radius + half_width, edge_length);
     circles.push_back(disc(centre, radius - half_width, edge_length).front());
     circles.back().label = 0;
@@ -116,7 +116,7 @@ std::vector<Region> ring(const Point2& centre, double radius, double half_width,
 }
 
 std::vector<Region> rectangle(const Point2& centre, const Point2& size, double edge_length) {
-    require(size.minCoeff() > 0, "box", "the sides have to be positive");
+    require_shape(size.minCoeff() > 0, "box", "the sides have to be positive");
     require_length("box", edge_length, size.maxCoeff());
     const Point2 half = size / 2, mirrored(half.x(), -half.y());
     return {block_part({centre - half, centre + mirrored, centre + half, centre - mirrored}, 1, edge_length)};
@@ -124,8 +124,8 @@ std::vector<Region> rectangle(const Point2& centre, const Point2& size, double e
 
 std::vector<Region> dumbbell(const Point2& centre, const DumbbellSize& size, double edge_length) {
     const double d = size.half_distance, r = size.disc_radius, neck = size.neck;
-    require(0 < r && r < d, "dumbbell", "the discs have to be apart");
-    require(0 < neck && neck < r, "dumbbell", "the neck has to be thinner than the discs");
+    require_shape(0 < r && r < d, "dumbbell", "the discs have to be apart");
+    require_shape(0 < neck && neck < r, "dumbbell", "the neck has to be thinner than the discs");
     require_length("dumbbell", edge_length, d);
     // The arc of the neck around (0, neck + arc) touches the discs: d^2 + (neck + arc)^2 = (r + arc)^2.
     const double arc = (d * d + neck * neck - r * r) / (2 * (r - neck));
@@ -141,12 +141,12 @@ std::vector<Region> dumbbell(const Point2& centre, const DumbbellSize& size, dou
 }
 
 std::vector<Region> slotted_disc(const Point2& centre, double radius, double width, double depth, double edge_length) {
-    require(0 < width && width < 2 * radius, "slotted-disc", "the slot has to be narrower than the disc");
-    require(0 < depth && depth < 2 * radius, "slotted-disc", "the slot has to end inside the disc");
+    require_shape(0 < width && width < 2 * radius, "slotted-disc", "the slot has to be narrower than the disc");
+    require_shape(0 < depth && depth < 2 * radius, "slotted-disc", "the slot has to end inside the disc");
     require_length("slotted-disc", edge_length, radius);
     const double x = width / 2, low = -std::sqrt(radius * radius - x * x), top = depth - radius;
-    require(top > low, "slotted-disc", "the slot has to be deeper");
-    require(top * top + x * x < radius * radius, "slotted-disc", "the slot has to end inside the disc");
+    require_shape(top > low, "slotted-disc", "the slot has to be deeper");
+    require_shape(top * top + x * x < radius * radius, "slotted-disc", "the slot has to end inside the disc");
     const double angle = std::atan2(low, x);
     Region region{.label = 1};
     append_arc(region.outline, centre, radius, angle, pi - angle, edge_length);
@@ -157,7 +157,7 @@ std::vector<Region> slotted_disc(const Point2& centre, double radius, double wid
 }
 
 std::vector<Region> labelled_block(const Point2& centre, const Point2& size, double edge_length) {
-    require(size.minCoeff() > 0, "labelled-block", "the sides have to be positive");
+    require_shape(size.minCoeff() > 0, "labelled-block", "the sides have to be positive");
     require_length("labelled-block", edge_length, size.maxCoeff());
     const auto place = [&](double x, double y) { return Point2(centre + size.cwiseProduct(Point2(x, y)) / 2); };
     const Point2 low = place(0, -1), high = place(0, 1), right = place(1, 0);

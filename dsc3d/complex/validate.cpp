@@ -42,7 +42,7 @@ FaceVertices without(const TetVertices& v, std::size_t place) {
 // What is known of simplices by their vertices, to be found by them: a list in the order of the keys, in which one key
 // may occur many times.
 template <std::size_t N, class Value>
-class Index {
+class SortedIndex {
 public:
     using Entry = std::pair<Key<N>, Value>;
 
@@ -81,11 +81,11 @@ struct Side {
 
 // What the tetrahedra alone say.
 struct Reconstruction {
-    Index<3, Side> faces;
-    Index<2, TetId> edges;
-    Index<1, TetId> vertices;
-    Index<2, bool> surface_at_edge;  ///< one entry per surface face: whether it is one of the boundary
-    Index<1, bool> surface_at_vertex;
+    SortedIndex<3, Side> faces;
+    SortedIndex<2, TetId> edges;
+    SortedIndex<1, TetId> vertices;
+    SortedIndex<2, bool> surface_at_edge;  ///< one entry per surface face: whether it is one of the boundary
+    SortedIndex<1, bool> surface_at_vertex;
     std::vector<int> link_euler;                   ///< Euler's number of the link of each vertex
     std::vector<std::array<TetId, 4>> neighbours;  ///< of each tetrahedron, across its faces
 

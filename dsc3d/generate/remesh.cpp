@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/require.h"
 #include "geometry/surface_check.h"
 #include "geometry/surface_intersections.h"
 
@@ -23,14 +24,10 @@ using geometry::SurfaceData;
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Cartesian = CGAL::Simple_cartesian<double>;
+using SurfaceMesh = CGAL::Surface_mesh<Cartesian::Point_3>;
 using EdgeFlags = SurfaceMesh::Property_map<SurfaceMesh::Edge_index, bool>;
 using VertexFlags = SurfaceMesh::Property_map<SurfaceMesh::Vertex_index, bool>;
-
-void require(bool condition, const char* what) {
-    if (!condition) throw core::UsageError(what);
-}
 
 constexpr double max_triangles = 1e7;
 
@@ -64,7 +61,7 @@ SurfaceData surface_data(const SurfaceMesh& mesh) {
     std::vector<std::uint32_t> number(mesh.num_vertices() + mesh.number_of_removed_vertices());
     for (const auto v : mesh.vertices()) {
         number[v] = static_cast<std::uint32_t>(surface.vertices.size());
-        const Kernel::Point_3& p = mesh.point(v);
+        const Cartesian::Point_3& p = mesh.point(v);
         surface.vertices.emplace_back(p.x(), p.y(), p.z());
     }
     for (const auto f : mesh.faces()) {
@@ -78,7 +75,7 @@ SurfaceData surface_data(const SurfaceMesh& mesh) {
 // Where sharp edges end, meet or turn.
 void mark_corners(const SurfaceMesh& mesh, const EdgeFlags& is_sharp, double angle, VertexFlags& is_corner) {
     for (const auto v : mesh.vertices()) {
-        std::vector<Kernel::Vector_3> directions;
+        std::vector<Cartesian::Vector_3> directions;
         for (const auto h : mesh.halfedges_around_target(mesh.halfedge(v)))
             if (is_sharp[mesh.edge(h)]) directions.push_back(mesh.point(mesh.source(h)) - mesh.point(v));
         if (directions.empty()) continue;
@@ -93,19 +90,19 @@ void mark_corners(const SurfaceMesh& mesh, const EdgeFlags& is_sharp, double ang
 }  // namespace
 
 void RemeshParameters::validate() const {
-    require(edge_length > 0 && std::isfinite(edge_length), "edge_length: has to be positive");
-    require(feature_angle > 0 && feature_angle <= 180, "feature_angle: has to be in (0, 180]");
-    require(iterations >= 1, "iterations: has to be at least 1");
+    core::require(edge_length > 0 && std::isfinite(edge_length), "edge_length: has to be positive");
+    core::require(feature_angle > 0 && feature_angle <= 180, "feature_angle: has to be in (0, 180]");
+    core::require(iterations >= 1, "iterations: has to be at least 1");
 }
 
 SurfaceData remeshed(const SurfaceData& surface, const RemeshParameters& parameters) {
     namespace pmp = CGAL::Polygon_mesh_processing;
     parameters.validate();
     const geometry::SurfaceCheck check = geometry::check_surface(surface);
-    require(check.degenerate_triangles.empty() && check.is_closed() && check.is_manifold() && check.is_oriented(),
-            "the surface to be remeshed is not a closed, oriented manifold of proper triangles");
-    require(area(surface) <= max_triangles * std::sqrt(3.0) / 4 * parameters.edge_length * parameters.edge_length,
-            "edge_length: that would be more than 1e7 triangles");
+    core::require(check.degenerate_triangles.empty() && check.is_closed() && check.is_manifold() && check.is_oriented(),
+                  "the surface to be remeshed is not a closed, oriented manifold of proper triangles");
+    core::require(area(surface) <= max_triangles * std::sqrt(3.0) / 4 * parameters.edge_length * parameters.edge_length,
+                  "edge_length: that would be more than 1e7 triangles");
     SurfaceMesh mesh = surface_mesh(surface);
     EdgeFlags is_sharp = mesh.add_property_map<SurfaceMesh::Edge_index, bool>("e:is_sharp", false).first;
     VertexFlags is_corner = mesh.add_property_map<SurfaceMesh::Vertex_index, bool>("v:is_corner", false).first;

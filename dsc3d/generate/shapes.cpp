@@ -20,11 +20,11 @@ namespace {
 using std::numbers::pi;
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr double max_triangles = 1e8;
+constexpr double max_shape_triangles = 1e8;
 /// Distance of the rows of vertices in a plane of regular triangles, in edge lengths.
 const double row_distance = std::sqrt(0.75);
 
-void require(bool condition, const char* shape, const char* what) {
+void require_shape(bool condition, const char* shape, const char* what) {
     if (!condition) throw core::UsageError(std::string(shape) + ": " + what);
 }
 
@@ -203,8 +203,8 @@ private:
 
 SurfaceData icosphere(const Point3& centre, double radius, std::uint32_t frequency) {
     require_length(radius, "sphere", "radius");
-    require(frequency > 0 && 20.0 * frequency * frequency <= max_triangles, "sphere",
-            "the frequency has to be at least 1, and there can be no more than 1e8 triangles");
+    require_shape(frequency > 0 && 20.0 * frequency * frequency <= max_shape_triangles, "sphere",
+                  "the frequency has to be at least 1, and there can be no more than 1e8 triangles");
     SurfaceData surface = icosahedron();
     std::uint32_t halvings = 0;
     while (frequency % 2 == 0) frequency /= 2, ++halvings;
@@ -219,7 +219,7 @@ std::uint32_t icosphere_frequency(double radius, double edge_length) {
     require_length(edge_length, "sphere", "edge length");
     // The triangles share the area of the sphere.
     const double triangles = 4 * pi * radius * radius / (row_distance / 2 * edge_length * edge_length);
-    require(triangles <= max_triangles, "sphere", "the edge length is too small: more than 1e8 triangles");
+    require_shape(triangles <= max_shape_triangles, "sphere", "the edge length is too small: more than 1e8 triangles");
     return std::max(1u, static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 20))));
 }
 
@@ -238,9 +238,9 @@ SurfaceData torus(const Point3& centre, double major, double minor, double edge_
     require_length(major, "torus", "major radius");
     require_length(minor, "torus", "minor radius");
     require_length(edge_length, "torus", "edge length");
-    require(minor < major, "torus", "the minor radius has to be smaller than the major one");
-    require(4 * pi * pi * major * minor <= max_triangles / 4 * edge_length * edge_length, "torus",
-            "the edge length is too small: more than 1e8 triangles");
+    require_shape(minor < major, "torus", "the minor radius has to be smaller than the major one");
+    require_shape(4 * pi * pi * major * minor <= max_shape_triangles / 4 * edge_length * edge_length, "torus",
+                  "the edge length is too small: more than 1e8 triangles");
     // Rows along the large circle, every other one moved by half an edge.
     const std::uint32_t columns = count(2 * pi * major, edge_length, 3);
     const std::uint32_t rows = 2 * count(pi * minor, row_distance * edge_length, 2);
@@ -268,12 +268,12 @@ SurfaceData dumbbell(const Point3& centre, const DumbbellSize& size, double edge
     require_length(size.ball_radius, "dumbbell", "radius of the balls");
     require_length(size.neck_radius, "dumbbell", "radius of the neck");
     require_length(edge_length, "dumbbell", "edge length");
-    require(size.neck_radius < size.ball_radius, "dumbbell", "the neck has to be thinner than the balls");
-    require(size.ball_radius < size.half_distance, "dumbbell",
-            "the radius of the balls has to be less than half their distance");
+    require_shape(size.neck_radius < size.ball_radius, "dumbbell", "the neck has to be thinner than the balls");
+    require_shape(size.ball_radius < size.half_distance, "dumbbell",
+                  "the radius of the balls has to be less than half their distance");
     const DumbbellProfile profile(size);
-    require(4 * pi * profile.length() * size.ball_radius <= max_triangles / 4 * edge_length * edge_length, "dumbbell",
-            "the edge length is too small: more than 1e8 triangles");
+    require_shape(4 * pi * profile.length() * size.ball_radius <= max_shape_triangles / 4 * edge_length * edge_length,
+                  "dumbbell", "the edge length is too small: more than 1e8 triangles");
     const std::uint32_t half_rows = count(profile.length(), row_distance * edge_length, 2);
     Rings rings(centre - Point3(size.half_distance + size.ball_radius, 0, 0));
     double phase = 0;

@@ -14,17 +14,17 @@ namespace dsc::dsc3d {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Cartesian = CGAL::Simple_cartesian<double>;
+using SizedTriangles = std::vector<Cartesian::Triangle_3>;
+using SizedPrimitive = CGAL::AABB_triangle_primitive<Cartesian, SizedTriangles::const_iterator>;
 
-Kernel::Point_3 point(const Point3& p) { return {p.x(), p.y(), p.z()}; }
+Cartesian::Point_3 point(const Point3& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
 struct Sizing::Tree {
-    Triangles triangles;
-    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree;
+    SizedTriangles triangles;
+    CGAL::AABB_tree<CGAL::AABB_traits<Cartesian, SizedPrimitive>> tree;
 };
 
 Sizing::Sizing(const geometry::SurfaceData& surface, double growth) : tree_(std::make_unique<Tree>()), growth_(growth) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/require.h"
 #include "dsc3d/generate/graded_points.h"
 #include "dsc3d/generate/tetgen.h"
 #include "dsc3d/improve/angle_range.h"
@@ -31,25 +32,22 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-void require(bool condition, const char* what) {
-    if (!condition) throw core::UsageError(what);
-}
-
 // ---------------------------------------------------------------------------------------------------------- the input
 
 /// Its cube can still be squared.
 constexpr double max_coordinate = 1e100;
 
 void require_usable(const SurfaceData& surface, const Eigen::AlignedBox3d& box) {
-    require(box.sizes().allFinite() && box.sizes().minCoeff() > 0, "the box has to have a positive size");
-    require(box.min().cwiseAbs().maxCoeff() <= max_coordinate && box.max().cwiseAbs().maxCoeff() <= max_coordinate,
-            "a coordinate of the box is beyond 1e100, where volumes overflow; scale the surface");
-    require(!surface.triangles.empty(), "the surface has no triangles");
+    core::require(box.sizes().allFinite() && box.sizes().minCoeff() > 0, "the box has to have a positive size");
+    core::require(
+        box.min().cwiseAbs().maxCoeff() <= max_coordinate && box.max().cwiseAbs().maxCoeff() <= max_coordinate,
+        "a coordinate of the box is beyond 1e100, where volumes overflow; scale the surface");
+    core::require(!surface.triangles.empty(), "the surface has no triangles");
     for (const Triangle& triangle : surface.triangles) {
         for (const std::uint32_t v : triangle) {
-            require(v < surface.vertices.size(), "a triangle of the surface has a vertex that doesn't exist");
+            core::require(v < surface.vertices.size(), "a triangle of the surface has a vertex that doesn't exist");
             const Point3& p = surface.vertices[v];
-            require(p.allFinite(), "a coordinate of the surface is not finite");
+            core::require(p.allFinite(), "a coordinate of the surface is not finite");
             if (!((p.array() > box.min().array()).all() && (p.array() < box.max().array()).all())) {
                 char text[200];
                 std::snprintf(text, sizeof text,
@@ -59,16 +57,16 @@ void require_usable(const SurfaceData& surface, const Eigen::AlignedBox3d& box) 
             }
         }
     }
-    require(geometry::self_intersections(surface).empty(), "the surface intersects itself");
+    core::require(geometry::self_intersections(surface).empty(), "the surface intersects itself");
 }
 
 // Turned when it is inside out.
 SurfaceData oriented(const SurfaceData& surface) {
     const geometry::SurfaceCheck check = geometry::check_surface(surface);
-    require(check.degenerate_triangles.empty() && check.duplicated_triangles.empty(),
-            "the surface has triangles of no area, or twice the same");
-    require(check.is_closed() && check.is_manifold(), "the surface is not a closed manifold");
-    require(check.is_oriented() && check.volume, "the triangles of the surface don't agree about its outside");
+    core::require(check.degenerate_triangles.empty() && check.duplicated_triangles.empty(),
+                  "the surface has triangles of no area, or twice the same");
+    core::require(check.is_closed() && check.is_manifold(), "the surface is not a closed manifold");
+    core::require(check.is_oriented() && check.volume, "the triangles of the surface don't agree about its outside");
     SurfaceData result = surface;
     if (*check.volume < 0)
         for (Triangle& triangle : result.triangles) std::swap(triangle[1], triangle[2]);
@@ -245,7 +243,7 @@ std::vector<int> labels_by_winding(const Regions& regions) {
     }
     std::vector<int> labels;
     for (const std::optional<int>& number : winding) {
-        require(number.value_or(-1) >= 0, "a part of the surface is inside out");
+        core::require(number.value_or(-1) >= 0, "a part of the surface is inside out");
         labels.push_back(*number);
     }
     return labels;
@@ -256,8 +254,8 @@ std::vector<int> labels_by_sides(const Regions& regions, const std::vector<std::
     for (std::size_t i = 0; i < sides.size(); ++i) {
         for (std::size_t k = 0; k < 2; ++k) {
             std::optional<int>& label = labels[regions.sides[i][k]];
-            require(!label || *label == sides[i][k],
-                    "the triangles of the interface disagree about the label of a region, or don't close it");
+            core::require(!label || *label == sides[i][k],
+                          "the triangles of the interface disagree about the label of a region, or don't close it");
             label = sides[i][k];
         }
     }
@@ -311,8 +309,8 @@ TetData tetrahedralization(const SurfaceData& surface, const Eigen::AlignedBox3d
 }  // namespace
 
 void TetrahedralizeParameters::validate() const {
-    require(growth >= 0 && growth <= 2, "growth: has to be in [0, 2]");
-    require(min_angle > 0 && min_angle <= 40, "min_angle: has to be in (0, 40]");
+    core::require(growth >= 0 && growth <= 2, "growth: has to be in [0, 2]");
+    core::require(min_angle > 0 && min_angle <= 40, "min_angle: has to be in (0, 40]");
 }
 
 TetData tetrahedralize(const SurfaceData& surface, const Eigen::AlignedBox3d& box,
@@ -322,8 +320,8 @@ TetData tetrahedralize(const SurfaceData& surface, const Eigen::AlignedBox3d& bo
 
 TetData tetrahedralize(const InterfaceData& interface, const Eigen::AlignedBox3d& box,
                        const TetrahedralizeParameters& parameters, core::Observer& observer) {
-    require(interface.sides.size() == interface.surface.triangles.size(),
-            "the interface has not as many pairs of labels as triangles");
+    core::require(interface.sides.size() == interface.surface.triangles.size(),
+                  "the interface has not as many pairs of labels as triangles");
     return tetrahedralization(interface.surface, box, parameters, observer,
                               [&](const Regions& regions) { return labels_by_sides(regions, interface.sides); });
 }

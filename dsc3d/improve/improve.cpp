@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/errors.h"
+#include "core/require.h"
 #include "dsc3d/improve/angle_range.h"
 #include "dsc3d/improve/schedule.h"
 
@@ -16,18 +16,14 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-void require(bool condition, const char* field, const std::string& range) {
-    if (!condition) throw core::UsageError(std::string(field) + ": has to be " + range);
-}
-
 }  // namespace
 
 void ImproveParameters::validate() const {
-    require(max_boundary_change >= 0 && max_boundary_change <= 1e-2, "max_boundary_change", "in [0, 0.01]");
-    require(feature_angle > 0 && feature_angle <= 180, "feature_angle", "in (0, 180]");
-    require(!time_limit || *time_limit > 0, "time_limit", "positive");
-    require(!target_angle || (*target_angle > 0 && *target_angle <= 70.5), "target_angle", "in (0, 70.5]");
-    require(threads >= 0, "threads", "at least 0");
+    core::require(max_boundary_change >= 0 && max_boundary_change <= 1e-2, "max_boundary_change", "in [0, 0.01]");
+    core::require(feature_angle > 0 && feature_angle <= 180, "feature_angle", "in (0, 180]");
+    core::require(!time_limit || *time_limit > 0, "time_limit", "positive");
+    core::require(!target_angle || (*target_angle > 0 && *target_angle <= 70.5), "target_angle", "in (0, 70.5]");
+    core::require(threads >= 0, "threads", "at least 0");
 }
 
 ImproveRun::ImproveRun(Mesh& mesh, const ImproveParameters& wanted, core::Observer& watching,

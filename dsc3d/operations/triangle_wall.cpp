@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "core/errors.h"
 #include "surface/features.h"
 
@@ -89,31 +89,16 @@ Eigen::Vector3d TriangleWall::normal(const Point3& p) const { return tree_->norm
 
 namespace {
 
-/// Sets of triangles that are joined one after another.
-class Pieces {
-public:
-    explicit Pieces(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-    std::size_t find(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
-
-private:
-    std::vector<std::size_t> parent_;
-};
-
 /// The triangles on both sides of an edge, with the vertices opposite to it.
 struct Sides {
-    std::size_t first;
+    std::uint32_t first;
     std::uint32_t opposite;
 };
 
-Pieces smooth_pieces(const SurfaceData& surface, double feature_angle) {
-    Pieces pieces(surface.triangles.size());
+core::DisjointSets smooth_pieces(const SurfaceData& surface, double feature_angle) {
+    core::DisjointSets pieces(surface.triangles.size());
     std::map<std::pair<std::uint32_t, std::uint32_t>, Sides> open;
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
         const auto& triangle = surface.triangles[i];
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = triangle[k], b = triangle[(k + 1) % 3], c = triangle[(k + 2) % 3];
@@ -124,7 +109,7 @@ Pieces smooth_pieces(const SurfaceData& surface, double feature_angle) {
             }
             const auto& p = surface.vertices;
             if (!surface::is_feature_edge(p[a], p[b], p[c], p[other->second.opposite], feature_angle))
-                pieces.join(i, other->second.first);
+                pieces.unite(i, other->second.first);
             open.erase(other);
         }
     }
@@ -167,9 +152,9 @@ bool is_plane(const SurfaceData& surface, double tolerance) {
 Walls container_walls(const SurfaceData& container, const ContainerParameters& parameters) {
     Eigen::AlignedBox3d box;
     for (const Point3& p : container.vertices) box.extend(p);
-    Pieces pieces = smooth_pieces(container, parameters.feature_angle);
-    std::map<std::size_t, std::vector<std::size_t>> triangles;
-    for (std::size_t i = 0; i < container.triangles.size(); ++i) triangles[pieces.find(i)].push_back(i);
+    core::DisjointSets pieces = smooth_pieces(container, parameters.feature_angle);
+    std::map<std::uint32_t, std::vector<std::size_t>> triangles;
+    for (std::uint32_t i = 0; i < container.triangles.size(); ++i) triangles[pieces.find(i)].push_back(i);
     Walls walls;
     for (const auto& [piece, members] : triangles) {
         const SurfaceData part = part_of(container, members);

@@ -10,12 +10,12 @@ namespace dsc::io::tet {
 namespace {
 
 // Points, lines, triangles, quadrilaterals and polygons of every order, by the numbers of GmshDefines.h.
-bool is_of_lower_dimension(std::int64_t type) {
+bool has_lower_dimension_in_gmsh(std::int64_t type) {
     const auto in = [type](std::int64_t first, std::int64_t last) { return first <= type && type <= last; };
     return in(1, 3) || in(8, 10) || in(15, 16) || in(20, 28) || type == 34 || in(36, 70);
 }
 
-const char* volume_name(std::int64_t type) {
+const char* gmsh_volume_name(std::int64_t type) {
     switch (type) {
         case 5: return "a hexahedron";
         case 6: return "a prism";
@@ -109,8 +109,8 @@ void GmshReader::read_tet(std::int64_t label) {
 }
 
 void GmshReader::require_lower_dimension(std::int64_t type) const {
-    if (is_of_lower_dimension(type)) return;
-    scanner_.fail("the element is " + std::string(volume_name(type)) + " (type " + std::to_string(type) + ")",
+    if (has_lower_dimension_in_gmsh(type)) return;
+    scanner_.fail("the element is " + std::string(gmsh_volume_name(type)) + " (type " + std::to_string(type) + ")",
                   "make linear tetrahedra (gmsh -3 -order 1)");
 }
 

@@ -6,8 +6,8 @@ namespace dsc::io::tet {
 
 namespace {
 
-constexpr std::size_t least_node_bytes = 8;
-constexpr std::size_t least_element_bytes = 8;
+constexpr std::size_t least_node_line = 8;
+constexpr std::size_t least_element_line = 8;
 
 class Gmsh2Reader : public GmshReader {
 public:
@@ -15,7 +15,7 @@ public:
 
 private:
     void read_nodes() override {
-        const std::size_t count = scanner_.count("nodes", least_node_bytes);
+        const std::size_t count = scanner_.count("nodes", least_node_line);
         reserve_nodes(count);
         for (std::size_t i = 0; i < count; ++i) {
             scanner_.begin_record("a node");
@@ -29,7 +29,7 @@ private:
     }
 
     void read_elements() override {
-        const std::size_t count = scanner_.count("elements", least_element_bytes);
+        const std::size_t count = scanner_.count("elements", least_element_line);
         assembly_.reserve_tets(count);
         for (std::size_t i = 0; i < count; ++i) {
             scanner_.begin_record("an element");

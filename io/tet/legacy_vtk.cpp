@@ -23,7 +23,7 @@ std::string upper(std::string_view word) {
     return text;
 }
 
-std::optional<NumberType> number_type(std::string_view name) {
+std::optional<NumberType> legacy_number_type(std::string_view name) {
     static const std::map<std::string, NumberType, std::less<>> types = {
         {"CHAR", NumberType::int8},
         {"SIGNED_CHAR", NumberType::int8},
@@ -126,7 +126,7 @@ private:
 
     // The `count` numbers that begin on the next line.
     Block find_block(const std::string& name, std::string_view type_name, std::size_t count) {
-        const std::optional<NumberType> type = number_type(type_name);
+        const std::optional<NumberType> type = legacy_number_type(type_name);
         if (!type) scanner_.fail(name + " has the type " + in_quotes(type_name), "leave that array out");
         if (is_binary_) scanner_.skip_line();
         Block block{.name = name, .type = *type, .count = count, .text = scanner_, .binary = {}};

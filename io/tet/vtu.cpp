@@ -13,12 +13,12 @@ namespace dsc::io::tet {
 
 namespace {
 
-constexpr const char* save_again = "save it again as .vtu (ParaView: Save Data)";
+constexpr const char* save_as_vtu = "save it again as .vtu (ParaView: Save Data)";
 
 class VtuReader {
 public:
     explicit VtuReader(const std::filesystem::path& path)
-        : xml_(path, "UnstructuredGrid", save_again), assembly_(path.string(), 0) {}
+        : xml_(path, "UnstructuredGrid", save_as_vtu), assembly_(path.string(), 0) {}
 
     geometry::TetData read() {
         const pugi::xml_node piece = xml_.only_piece("has several pieces, which may double vertices",

@@ -5,11 +5,16 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dsc2d/complex.h"
+#include "dsc2d/generate/insert_polygon.h"
+#include "dsc2d/generate/structured.h"
+#include "dsc2d/interface.h"
 #include "dsc2d/validate.h"
+#include "geometry/triangle.h"
 
 namespace dsc::tests {
 
@@ -26,6 +31,32 @@ inline std::vector<geometry::Point2> circle(const geometry::Point2& centre, doub
         points.push_back(centre + radius * geometry::Point2(std::cos(angle), std::sin(angle)));
     }
     return points;
+}
+
+/// A polygon of label 1 in the box [-2, 2]^2.
+inline dsc2d::Complex complex_of(const std::vector<geometry::Point2>& outline) {
+    dsc2d::Complex complex = dsc2d::structured_complex(dsc2d::Domain::box({-2, -2}, {2, 2}), 9, 9);
+    dsc2d::insert_polygon(complex, outline, 1);
+    return complex;
+}
+
+/// Where the map takes the vertices of the interface, by vertex.
+template <class Map>
+std::vector<std::optional<geometry::Point2>> targets_of(const dsc2d::Complex& complex, Map map) {
+    std::vector<std::optional<geometry::Point2>> targets(complex.vertex_capacity());
+    for (const core::VertexId v : dsc2d::Interface(complex).vertices) targets[v.index()] = map(complex.position(v));
+    return targets;
+}
+
+/// The least angle of all triangles.
+inline double min_angle(const dsc2d::Complex& complex) {
+    double smallest = std::numbers::pi;
+    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
+        if (complex.is_deleted(core::FaceId(i))) continue;
+        const auto [a, b, c] = complex.corners(core::FaceId(i));
+        smallest = std::min(smallest, geometry::min_angle(a, b, c));
+    }
+    return smallest;
 }
 
 /// Connected components of the faces with this label, joined across edges.

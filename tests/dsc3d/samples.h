@@ -15,11 +15,17 @@
 #include "core/random.h"
 #include "geometry/predicates.h"
 #include "geometry/tet_data.h"
+#include "geometry/tetrahedron_quality.h"
 
 namespace dsc::tests {
 
 using geometry::Point3;
 using geometry::TetData;
+
+/// All measures of the quality of a tetrahedron.
+inline constexpr std::array quality_measures = {
+    geometry::QualityMeasure::minimum_sine, geometry::QualityMeasure::minimum_biased_sine,
+    geometry::QualityMeasure::volume_length, geometry::QualityMeasure::radius_ratio};
 
 using Cells = std::array<std::uint32_t, 3>;
 

@@ -14,7 +14,7 @@ using namespace dsc::fluid;
 namespace {
 
 template <int D>
-SimplexMesh<D> sample() {
+SimplexMesh<D> energy_sample() {
     if constexpr (D == 2)
         return square(3, tests::seed(1));
     else
@@ -24,7 +24,7 @@ SimplexMesh<D> sample() {
 // Shaken, so that nothing is flat.
 template <int D>
 SimplexMesh<D> shaken() {
-    SimplexMesh<D> mesh = sample<D>();
+    SimplexMesh<D> mesh = energy_sample<D>();
     core::Random random(tests::seed(1));
     const auto ways = random_velocities<D>(mesh.positions.size(), random);
     for (std::size_t i = 0; i < ways.size(); ++i) mesh.positions[i] += 0.03 * ways[i];

@@ -74,7 +74,7 @@ struct EllipticGeodesic {
     double u(double v) const { return factor * c / (radius + 1) * (p / q * F(v) + (1 - p / q) * third_kind(v, q)); }
 };
 
-std::vector<std::unique_ptr<Metric>> sample_metrics() {
+std::vector<std::unique_ptr<Metric>> flow_metrics() {
     std::vector<std::unique_ptr<Metric>> metrics;
     metrics.push_back(std::make_unique<TorusOfRevolution>(2, 1));
     metrics.push_back(std::make_unique<TorusOfRevolution>(2, 2));
@@ -124,7 +124,7 @@ TEST_CASE("geodesics of elliptic tori agree with Clairaut's integral over length
 
 TEST_CASE("unit speed, Clairaut's constant and the way back are kept over length 10") {
     core::Random random(tests::seed(9));
-    for (const auto& metric : sample_metrics())
+    for (const auto& metric : flow_metrics())
         for (int i = 0; i < 10; ++i) {
             GeodesicFlow flow(*metric, random_point(random));
             const double theta = random.uniform(-pi, pi);
@@ -152,7 +152,7 @@ TEST_CASE("unit speed, Clairaut's constant and the way back are kept over length
 
 TEST_CASE("the Jacobi field is the derivative of the exponential map, and j_theta that of j") {
     core::Random random(tests::seed(10));
-    for (const auto& metric : sample_metrics())
+    for (const auto& metric : flow_metrics())
         for (int i = 0; i < 10; ++i) {
             GeodesicFlow flow(*metric, random_point(random));
             const double theta = random.uniform(-pi, pi), t = random.uniform(0.5, 4);
@@ -182,7 +182,7 @@ TEST_CASE("the Jacobi field is the derivative of the exponential map, and j_thet
 
 TEST_CASE("the area of a sector is the integral of j") {
     core::Random random(tests::seed(11));
-    for (const auto& metric : sample_metrics())
+    for (const auto& metric : flow_metrics())
         for (int i = 0; i < 3; ++i) {
             GeodesicFlow flow(*metric, random_point(random));
             const double theta = random.uniform(-pi, pi), t = 3;

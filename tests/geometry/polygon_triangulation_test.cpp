@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -17,7 +16,6 @@ using namespace dsc::tests;
 namespace {
 
 using Weights = std::map<std::array<int, 3>, double>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Weights random_weights(int n, dsc::core::Random& random) {
     Weights weights;

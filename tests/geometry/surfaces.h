@@ -2,7 +2,7 @@
 // Surfaces of which everything is known, for tests.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -114,6 +114,14 @@ inline geometry::SurfaceData joined(geometry::SurfaceData a, const geometry::Sur
     a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
     for (const auto& [p, q, r] : b.triangles) a.triangles.push_back({p + shift, q + shift, r + shift});
     return a;
+}
+
+/// What a closed surface encloses.
+inline double volume(const geometry::SurfaceData& surface) {
+    double sum = 0;
+    for (const auto& [a, b, c] : surface.triangles)
+        sum += surface.vertices[a].dot(surface.vertices[b].cross(surface.vertices[c])) / 6;
+    return sum;
 }
 
 /// With the vertex `removed` replaced by `kept` in every triangle.

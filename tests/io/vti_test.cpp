@@ -16,7 +16,7 @@ namespace {
 const std::string grid = "WholeExtent=\"1 2 0 2 0 0\" Origin=\"-0.5 0 7\" Spacing=\"0.5 0.25 1\"";
 const std::vector<double> ramp = {0, 1, 2, 3, 4, 5.5};
 
-io::ImageData read(const std::string& text) {
+io::ImageData read_image(const std::string& text) {
     const tests::TemporaryFolder folder;
     std::ofstream(folder / "image.vti", std::ios::binary) << text;
     return io::read_vti(folder / "image.vti");
@@ -34,7 +34,7 @@ std::string array(const std::string& name, int components, const std::string& nu
            "\" format=\"ascii\">" + numbers + "</DataArray>\n";
 }
 
-std::string bytes_of(const std::vector<double>& values) {
+std::string raw_bytes(const std::vector<double>& values) {
     std::string bytes(8 * values.size(), '\0');
     std::memcpy(bytes.data(), values.data(), bytes.size());
     return bytes;
@@ -49,7 +49,7 @@ void check_ramp(const io::ImageData& image) {
 
 std::string complaint(const std::string& text) {
     try {
-        read(text);
+        read_image(text);
     } catch (const core::InputError& error) {
         return error.what();
     }
@@ -59,31 +59,31 @@ std::string complaint(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a VTI file is read however its numbers are stored") {
-    check_ramp(read(document(array("u", 1, "0 1 2\n3 4 5.5"))));
+    check_ramp(read_image(document(array("u", 1, "0 1 2\n3 4 5.5"))));
 
     std::string inline_array;
     io::append_vtk_array(inline_array, "u", 1, ramp, io::VtkEncoding::binary);
-    check_ramp(read(document(inline_array)));
+    check_ramp(read_image(document(inline_array)));
 
     const std::uint64_t size = 8 * ramp.size();
     const std::string header(reinterpret_cast<const char*>(&size), 8);
     const std::string appended = "<DataArray type=\"Float64\" Name=\"u\" format=\"appended\" offset=\"0\"/>\n";
-    check_ramp(read(document(appended, grid,
-                             "<AppendedData encoding=\"raw\">\n_" + header + bytes_of(ramp) + "\n</AppendedData>\n")));
-    check_ramp(read(document(
+    check_ramp(read_image(document(
+        appended, grid, "<AppendedData encoding=\"raw\">\n_" + header + raw_bytes(ramp) + "\n</AppendedData>\n")));
+    check_ramp(read_image(document(
         appended, grid,
-        "<AppendedData encoding=\"base64\">\n_" + io::base64(header + bytes_of(ramp)) + "\n</AppendedData>\n")));
+        "<AppendedData encoding=\"base64\">\n_" + io::base64(header + raw_bytes(ramp)) + "\n</AppendedData>\n")));
 }
 
 TEST_CASE("arrays are found by name or by their number of components") {
-    const io::ImageData image = read(document(array("u", 1, "0 1 2 3 4 5") + array("p", 1, "0 0 0 0 0 0") +
-                                              array("v", 3, "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17")));
+    const io::ImageData image = read_image(document(array("u", 1, "0 1 2 3 4 5") + array("p", 1, "0 0 0 0 0 0") +
+                                                    array("v", 3, "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17")));
     CHECK(image.array("v", 3).values[17] == 17);
     CHECK(&image.array("", 3) == &image.array("v", 3));
     CHECK_THROWS_WITH(image.array("", 1), Contains("has several arrays with 1 components") && Contains("u (1), p (1)"));
     CHECK_THROWS_WITH(image.array("w", 3), Contains("has no array \"w\" with 3 components") && Contains("v (3)"));
     CHECK_THROWS_WITH(image.array("v", 2), Contains("has no array"));
-    CHECK_THROWS_WITH(read(document("")).array("", 3), Contains("there are none"));
+    CHECK_THROWS_WITH(read_image(document("")).array("", 3), Contains("there are none"));
 }
 
 TEST_CASE("VTI files that can't be used are refused with place and cure") {

@@ -4,9 +4,13 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace dsc::tests {
+
+/// The worst of no triangle; its negative is the best of no triangulation.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Triangulation = std::vector<std::array<int, 3>>;  ///< triangles i < j < k
 

@@ -13,14 +13,6 @@ using namespace dsc::surface;
 
 namespace {
 
-double volume(const geometry::SurfaceData& surface) {
-    double sum = 0;
-    for (const auto& [a, b, c] : surface.triangles) {
-        sum += surface.vertices[a].dot(surface.vertices[b].cross(surface.vertices[c])) / 6;
-    }
-    return sum;
-}
-
 /// The place that both ends of the edge ab of a surface would get.
 std::optional<Point3> collapsed(const geometry::SurfaceData& surface, std::uint32_t a, std::uint32_t b) {
     const VertexRings rings(surface);
@@ -59,14 +51,14 @@ std::uint32_t number(int i, int j) { return static_cast<std::uint32_t>(9 * (i + 
 
 TEST_CASE("collapses of a ball keep its volume") {
     const geometry::SurfaceData ball = tests::icosphere(3);
-    const double before = volume(ball);
+    const double before = tests::volume(ball);
     int count = 0;
     for (std::size_t t = 0; t < ball.triangles.size(); t += 7) {
         const auto& [a, b, c] = ball.triangles[t];
         const std::optional<Point3> place = collapsed(ball, a, b);
         if (!place) continue;
         ++count;
-        REQUIRE(volume(after(ball, a, b, *place)) == Approx(before).epsilon(1e-14));
+        REQUIRE(tests::volume(after(ball, a, b, *place)) == Approx(before).epsilon(1e-14));
         REQUIRE((*place - (ball.vertices[a] + ball.vertices[b]) / 2).norm() < 0.02);
     }
     CHECK(count > 150);

@@ -30,7 +30,7 @@ void split_all(const geometry::SurfaceData& surface, const Visit& visit) {
 }
 
 /// A disc of radius 1 with n sectors, and its mirror image, `height` below: a cylinder.
-geometry::SurfaceData cylinder(std::uint32_t n, double height) {
+geometry::SurfaceData closed_cylinder(std::uint32_t n, double height) {
     geometry::SurfaceData surface;
     surface.vertices = {Point3(0, 0, 0), Point3(0, 0, -height)};
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -66,7 +66,7 @@ TEST_CASE("the rim of a cylinder is halved on its circle, what is straight stays
     const auto rim_error = [](std::uint32_t n) {
         double error = 0;
         const double height = 0.4;
-        split_all(cylinder(n, height), [&](const Point3& a, const Point3& b, const Point3& middle) {
+        split_all(closed_cylinder(n, height), [&](const Point3& a, const Point3& b, const Point3& middle) {
             if (a.z() == b.z() && a.norm() > 0.5 && b.norm() > 0.5) {
                 REQUIRE(std::abs(middle.z() - a.z()) < 1e-15);
                 if (a.z() == 0) error = std::max(error, std::abs(1 - middle.norm()));

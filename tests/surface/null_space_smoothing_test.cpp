@@ -54,14 +54,6 @@ geometry::SurfaceData fine_cube(int n) {
     return cube;
 }
 
-double volume(const geometry::SurfaceData& surface) {
-    double sum = 0;
-    for (const auto& [a, b, c] : surface.triangles) {
-        sum += surface.vertices[a].dot(surface.vertices[b].cross(surface.vertices[c])) / 6;
-    }
-    return sum;
-}
-
 }  // namespace
 
 TEST_CASE("corners stay, vertices of a ridge slide along it, flat ones in their plane") {
@@ -108,7 +100,7 @@ TEST_CASE("smoothing a fine cube keeps its shape and raises its angles") {
     }
     CHECK(worst() > before);
     CHECK(worst() > radians(30));
-    CHECK(std::abs(volume(cube) - 1) < 1e-14);
+    CHECK(std::abs(tests::volume(cube) - 1) < 1e-14);
     for (std::size_t v = 0; v < cube.vertices.size(); ++v) {
         for (int k = 0; k < 3; ++k) {
             if (start.vertices[v][k] == 0) REQUIRE(std::abs(cube.vertices[v][k]) < 1e-15);
@@ -126,7 +118,7 @@ TEST_CASE("smoothing a ball keeps its volume, and its shape within the freedom")
     }
     const VertexRings rings(ball);
     std::vector<RingTriangle> buffer;
-    const double before = volume(ball);
+    const double before = tests::volume(ball);
     std::size_t moves = 0;
     for (std::uint32_t v = 0; v < ball.vertices.size(); ++v) {
         if (const auto place = smoothed_position(rings.ring(v, buffer), always)) {
@@ -135,7 +127,7 @@ TEST_CASE("smoothing a ball keeps its volume, and its shape within the freedom")
         }
     }
     CHECK(moves > 100);
-    CHECK(volume(ball) == Approx(before).epsilon(1e-14));
+    CHECK(tests::volume(ball) == Approx(before).epsilon(1e-14));
     // Edges are shorter than 0.3; the old triangles themselves lie below the sphere by up to an eighth of their square.
     for (const Point3& p : ball.vertices) CHECK(std::abs(p.norm() - 1) < 0.02 * 0.3 + 0.3 * 0.3 / 8);
 }

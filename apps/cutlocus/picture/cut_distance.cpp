@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "apps/cutlocus/gluing.h"
 
 namespace dsc::cutlocus {
 
-namespace {
-constexpr double full_turn = 2 * std::numbers::pi;
-}
+namespace {}
 
 CutDistance::CutDistance(const CutLocus& locus) : limit_(locus.front.distance) {
     if (locus.graph.arcs.empty()) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <list>
-#include <numbers>
 
+#include "apps/cutlocus/gluing.h"
 #include "core/assert.h"
 
 namespace dsc::cutlocus {
@@ -16,8 +16,6 @@ using geodesic::Metric;
 using geodesic::Point2;
 
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 FanRay shot(GeodesicFlow& flow, double theta, const CutDistance::Reach& reach, double step) {
     FanRay ray{.theta = theta, .length = reach.distance, .ends_on_locus = reach.is_on_locus, .step = step};

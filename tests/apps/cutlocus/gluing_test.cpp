@@ -14,7 +14,7 @@ using namespace dsc::cutlocus;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Directions across the sides of a regular polygon of 2 `sides` sides whose opposite sides are glued by translations:
 /// `per_side` pairs on each, evenly spread over the side's angle.

@@ -10,7 +10,7 @@ using namespace dsc::tests;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const std::string flat = "E=1;F=0;G=1";
 
 /// Runs the program, which must succeed and say nothing on stderr; its stdout.

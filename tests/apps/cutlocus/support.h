@@ -16,7 +16,7 @@
 
 namespace dsc::tests {
 
-inline constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 inline const geodesic::ChartPeriods torus_periods{2 * pi, 2 * pi};
 
 inline cutlocus::CutLocus locus_of(const geodesic::Metric& metric, const geodesic::Point2& p,

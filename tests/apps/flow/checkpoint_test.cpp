@@ -20,8 +20,8 @@ namespace {
 constexpr int steps = 10, interval = 3;
 
 /// A small ball that shrinks, from its start or from the checkpoint in its folder.
-struct Run {
-    Run(const std::filesystem::path& folder, bool is_resumed)
+struct SavedFlow {
+    SavedFlow(const std::filesystem::path& folder, bool is_resumed)
         : path(apps::checkpoint_path(folder)),
           checkpoints(path, checkpoint_kind, io::Json::object(), interval),
           snapshots(folder, steps, 4) {
@@ -66,17 +66,17 @@ struct Run {
 TEST_CASE("a run that is interrupted goes on from the checkpoint before, and becomes the same run") {
     const tests::TemporaryFolder one, other;
     core::Observer observer;
-    Run undisturbed(one.path(), false);
+    SavedFlow undisturbed(one.path(), false);
     undisturbed.go(observer);
     REQUIRE(undisturbed.result.end == FlowEnd::done);
 
     tests::StopAfter stop(8);
-    Run interrupted(other.path(), false);
+    SavedFlow interrupted(other.path(), false);
     interrupted.go(stop);
     REQUIRE(interrupted.result.end == FlowEnd::cancelled);
     REQUIRE(interrupted.result.steps.back().step == 8);
 
-    Run resumed(other.path(), true);
+    SavedFlow resumed(other.path(), true);
     CHECK(resumed.result.steps.back().step == 6);
     CHECK(resumed.result.seconds > 0);
     CHECK(resumed.result.steps[5].milliseconds == interrupted.result.steps[5].milliseconds);

@@ -23,7 +23,7 @@ std::optional<Options> parsed(std::vector<std::string> arguments) {
     return parse_options(static_cast<int>(argv.size()), argv.data());
 }
 
-void check_refused(const std::vector<std::string>& arguments, const std::string& word) {
+void check_options_refused(const std::vector<std::string>& arguments, const std::string& word) {
     CAPTURE(arguments);
     CHECK_THROWS_AS(parsed(arguments), core::UsageError);
     CHECK_THROWS_WITH(parsed(arguments), Catch::Contains(word));
@@ -64,7 +64,7 @@ TEST_CASE("a domain is a box or a ball") {
     CHECK(parsed({"sphere", "--domain", "vessel.stl"})->shape.container == "vessel.stl");
     CHECK(parsed({"sphere"})->shape.container.empty());
     for (const char* text : {"sphere:", "sphere:1,2", "sphere:1,2,3,-1", "sphere:0"})
-        check_refused({"sphere", "--domain", text}, "--domain");
+        check_options_refused({"sphere", "--domain", text}, "--domain");
 }
 
 TEST_CASE("a shape that is not known by name is a file; --velocity is what the motion makes of it") {
@@ -94,11 +94,11 @@ TEST_CASE("curl noise, shear and velocities from a file have options of their ow
     const Options grid = *parsed({"sphere", "--motion", "grid", "--velocity", "wind.vti", "--array", "wind"});
     CHECK(grid.motion.path == "wind.vti");
     CHECK(grid.motion.array == "wind");
-    check_refused({"sphere", "--motion", "grid"}, "--velocity");
-    check_refused({"sphere", "--motion", "rotate", "--array", "wind"}, "--array");
-    check_refused({"sphere", "--motion", "shear", "--speed", "2"}, "--speed");
-    check_refused({"sphere", "--motion", "curl-noise", "--frequency", "0.5"}, "--frequency");
-    check_refused({"sphere", "--motion", "curl-noise", "--gradient", "0,1,0"}, "--gradient");
+    check_options_refused({"sphere", "--motion", "grid"}, "--velocity");
+    check_options_refused({"sphere", "--motion", "rotate", "--array", "wind"}, "--array");
+    check_options_refused({"sphere", "--motion", "shear", "--speed", "2"}, "--speed");
+    check_options_refused({"sphere", "--motion", "curl-noise", "--frequency", "0.5"}, "--frequency");
+    check_options_refused({"sphere", "--motion", "curl-noise", "--gradient", "0,1,0"}, "--gradient");
 }
 
 TEST_CASE("passes are switched off by name") {
@@ -113,34 +113,34 @@ TEST_CASE("passes are switched off by name") {
         switch_off(name, changed);
         CHECK_NOTHROW(changed.validate());
     }
-    check_refused({"sphere", "--without", "smoothing,flop"}, "flop");
-    check_refused({"disc", "--dimension", "2", "--without", "smoothing"}, "--without");
+    check_options_refused({"sphere", "--without", "smoothing,flop"}, "flop");
+    check_options_refused({"disc", "--dimension", "2", "--without", "smoothing"}, "--without");
 }
 
 TEST_CASE("options that are wrong, missing or of no use are refused by name") {
-    check_refused({"ball"}, "ball");
-    check_refused({"sphere", "--center", "1,2"}, "--center");
-    check_refused({"sphere", "--center", "1,2,x"}, "--center");
-    check_refused({"sphere", "--domain", "0,0,0,1,1,0"}, "--domain");
-    check_refused({"sphere", "--radius", "0"}, "--radius");
-    check_refused({"sphere", "--edge-length", "-1"}, "--edge-length");
-    check_refused({"box", "--size", "1,2"}, "--size");
-    check_refused({"box", "--size", "1,2,-3"}, "--size");
-    check_refused({"slotted-cube", "--size", "1,1,2"}, "--size");
-    check_refused({"sphere", "--gap", "0.1"}, "--gap");
-    check_refused({"ball.off", "--radius", "0.1"}, "--radius");
-    check_refused({"ball.off", "--feature-angle", "60"}, "--feature-angle");
-    check_refused({"sphere", "--motion", "spin"}, "--motion");
-    check_refused({"sphere", "--motion", "curvature", "--axis", "1,0,0"}, "--axis");
-    check_refused({"sphere", "--axis", "0,0,0"}, "--axis");
-    check_refused({"sphere", "--motion", "offset"}, "--distance");
-    check_refused({"sphere", "--motion", "translate"}, "--velocity");
-    check_refused({"sphere", "--motion", "translate", "--velocity", "x=1"}, "--velocity");
-    check_refused({"sphere", "--motion", "expression"}, "--velocity");
-    check_refused({"sphere", "--dt", "0.1", "--until", "1", "--steps", "10"}, "--steps");
-    check_refused({"sphere", "--dt", "nan"}, "--dt");
-    check_refused({"sphere", "--dimension", "4"}, "--dimension");
-    check_refused({"sphere", "--topology", "none"}, "--topology");
+    check_options_refused({"ball"}, "ball");
+    check_options_refused({"sphere", "--center", "1,2"}, "--center");
+    check_options_refused({"sphere", "--center", "1,2,x"}, "--center");
+    check_options_refused({"sphere", "--domain", "0,0,0,1,1,0"}, "--domain");
+    check_options_refused({"sphere", "--radius", "0"}, "--radius");
+    check_options_refused({"sphere", "--edge-length", "-1"}, "--edge-length");
+    check_options_refused({"box", "--size", "1,2"}, "--size");
+    check_options_refused({"box", "--size", "1,2,-3"}, "--size");
+    check_options_refused({"slotted-cube", "--size", "1,1,2"}, "--size");
+    check_options_refused({"sphere", "--gap", "0.1"}, "--gap");
+    check_options_refused({"ball.off", "--radius", "0.1"}, "--radius");
+    check_options_refused({"ball.off", "--feature-angle", "60"}, "--feature-angle");
+    check_options_refused({"sphere", "--motion", "spin"}, "--motion");
+    check_options_refused({"sphere", "--motion", "curvature", "--axis", "1,0,0"}, "--axis");
+    check_options_refused({"sphere", "--axis", "0,0,0"}, "--axis");
+    check_options_refused({"sphere", "--motion", "offset"}, "--distance");
+    check_options_refused({"sphere", "--motion", "translate"}, "--velocity");
+    check_options_refused({"sphere", "--motion", "translate", "--velocity", "x=1"}, "--velocity");
+    check_options_refused({"sphere", "--motion", "expression"}, "--velocity");
+    check_options_refused({"sphere", "--dt", "0.1", "--until", "1", "--steps", "10"}, "--steps");
+    check_options_refused({"sphere", "--dt", "nan"}, "--dt");
+    check_options_refused({"sphere", "--dimension", "4"}, "--dimension");
+    check_options_refused({"sphere", "--topology", "none"}, "--topology");
     const std::vector<const char*> without_folder = {"flow", "sphere"};
     CHECK_THROWS_WITH(parse_options(2, without_folder.data()), Catch::Contains("-o"));
 }

@@ -19,7 +19,7 @@ using namespace dsc::tests;
 
 namespace {
 
-void check_refused(const std::vector<std::string>& arguments, const std::string& word) {
+void check_program_refuses(const std::vector<std::string>& arguments, const std::string& word) {
     const ProgramResult result = run_program(DSC_FLOW_PROGRAM, arguments);
     INFO(result.err);
     CHECK(result.exit_code == 2);
@@ -60,20 +60,20 @@ TEST_CASE("a run leaves the surface, the mesh, the series, the report and the pa
 TEST_CASE("bad input is refused in one line") {
     const TemporaryFolder folder;
     const std::string out = (folder / "out").string();
-    check_refused({"absent.off", "-o", out}, "absent.off");
-    check_refused({"sphere"}, "-o");
-    check_refused({"sphere", "--radius", "0.6", "--domain", "0,0,0,1,1,1", "-o", out}, "leaves the box");
+    check_program_refuses({"absent.off", "-o", out}, "absent.off");
+    check_program_refuses({"sphere"}, "-o");
+    check_program_refuses({"sphere", "--radius", "0.6", "--domain", "0,0,0,1,1,1", "-o", out}, "leaves the box");
     geometry::SurfaceData surface = dsc3d::box_surface({geometry::Point3(0, 0, 0), geometry::Point3(1, 1, 1)}, 0.5);
     surface.triangles.erase(surface.triangles.begin());
     const std::string open = (folder / "open.off").string();
     io::write_surface_mesh(open, surface);
-    check_refused({open, "-o", out}, "open edge");
-    check_refused({open, "--edge-length", "0", "-o", out}, "--edge-length");
+    check_program_refuses({open, "-o", out}, "open edge");
+    check_program_refuses({open, "--edge-length", "0", "-o", out}, "--edge-length");
     const std::string box = (folder / "box.off").string();
     io::write_surface_mesh(box, dsc3d::box_surface({geometry::Point3(0, 0, 0), geometry::Point3(1, 1, 1)}, 0.5));
-    check_refused({box, "--edge-length", "1e-7", "-o", out}, "edge_length");
-    check_refused({"sphere", "--domain", "-1e200,-1e200,-1e200,1e200,1e200,1e200", "-o", out}, "1e100");
-    check_refused({"sphere", "--radius", "1e-12", "-o", out}, "times as large");
+    check_program_refuses({box, "--edge-length", "1e-7", "-o", out}, "edge_length");
+    check_program_refuses({"sphere", "--domain", "-1e200,-1e200,-1e200,1e200,1e200,1e200", "-o", out}, "1e100");
+    check_program_refuses({"sphere", "--radius", "1e-12", "-o", out}, "times as large");
 }
 
 TEST_CASE("going on from a result needs another folder, and an earlier series does not outlive a run without one") {
@@ -84,7 +84,8 @@ TEST_CASE("going on from a result needs another folder, and an earlier series do
     REQUIRE(run_program(DSC_FLOW_PROGRAM, coarse).exit_code == 0);
     CHECK_THAT(io::read_file(out / "index.html"), Catch::Contains("<title>out"));
     const std::string before = io::read_file(out / "final.mesh");
-    check_refused({(out / "final.mesh").string(), "--angle", "2", "--steps", "1", "-o", out.string()}, "overwritten");
+    check_program_refuses({(out / "final.mesh").string(), "--angle", "2", "--steps", "1", "-o", out.string()},
+                          "overwritten");
     CHECK(io::read_file(out / "final.mesh") == before);
     std::vector<std::string> without = coarse;
     without.insert(without.end(), {"--snapshots", "0"});
@@ -122,7 +123,7 @@ TEST_CASE("a velocity on a grid moves the interface, and a file without one is r
     }
     CHECK(least == Approx(0.3 + 0.1 + 0.2 * 0.3).epsilon(1e-12));
     CHECK(largest == Approx(0.7 + 0.1 + 0.2 * 0.7).epsilon(1e-12));
-    check_refused(with((folder / "absent.vti").string()), "absent.vti");
+    check_program_refuses(with((folder / "absent.vti").string()), "absent.vti");
     io::write_file(wind, "<VTKFile/>");
-    check_refused(with(wind), "wind.vti");
+    check_program_refuses(with(wind), "wind.vti");
 }

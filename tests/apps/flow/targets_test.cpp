@@ -21,7 +21,7 @@ dsc3d::Mesh mesh_of(const ShapeOptions& shape) {
     return dsc3d::Mesh(initial_mesh(shape, observer).data);
 }
 
-dsc3d::Mesh ball() { return mesh_of({.shape = Shape::sphere, .radius = 0.2, .edge_length = 0.1}); }
+dsc3d::Mesh small_sphere() { return mesh_of({.shape = Shape::sphere, .radius = 0.2, .edge_length = 0.1}); }
 
 std::vector<std::optional<Point3>> targets_of(const dsc3d::Mesh& mesh, const MotionOptions& motion, double time,
                                               double dt) {
@@ -55,7 +55,7 @@ void for_each_target(const dsc3d::Mesh& mesh, const std::vector<std::optional<Po
 }  // namespace
 
 TEST_CASE("a velocity in words is integrated to the fifth power of the step, and knows the time") {
-    const dsc3d::Mesh mesh = ball();
+    const dsc3d::Mesh mesh = small_sphere();
     MotionOptions motion{.motion = Motion::expression, .expressions = "(-y, x, t)"};
     const double time = 0.3, dt = 0.1;
     const Eigen::AngleAxisd turn(dt, Point3::UnitZ());
@@ -66,7 +66,7 @@ TEST_CASE("a velocity in words is integrated to the fifth power of the step, and
 }
 
 TEST_CASE("the deformations of the unit cube come back when half the period has passed twice") {
-    const dsc3d::Mesh mesh = ball();
+    const dsc3d::Mesh mesh = small_sphere();
     for (const Motion kind : {Motion::enright, Motion::vortex}) {
         const MotionOptions motion{.motion = kind, .period = 2};
         const double dt = 0.02;
@@ -84,7 +84,7 @@ TEST_CASE("the deformations of the unit cube come back when half the period has 
 
 TEST_CASE(
     "a shear takes everything along its direction, by the distance along the gradient from the point that stays") {
-    const dsc3d::Mesh mesh = ball();
+    const dsc3d::Mesh mesh = small_sphere();
     const MotionOptions motion{
         .motion = Motion::shear, .about = Point3(0, 0.4, 0), .direction = Point3(0, 0, 3), .gradient = Point3(0, 2, 0)};
     for_each_target(mesh, targets_of(mesh, motion, 0, 0.1), [&](const Point3& from, const Point3& to) {
@@ -94,7 +94,7 @@ TEST_CASE(
 }
 
 TEST_CASE("curl noise has the largest speed it was given, other seeds, and stays within the walls") {
-    const dsc3d::Mesh mesh = ball();
+    const dsc3d::Mesh mesh = small_sphere();
     const Eigen::AlignedBox3d domain(Point3(0, 0, 0), Point3(1, 1, 1));
     MotionOptions motion{.motion = Motion::curl_noise, .speed = 0.5, .seed = 7};
     const double dt = 0.01;
@@ -116,7 +116,7 @@ TEST_CASE("curl noise has the largest speed it was given, other seeds, and stays
 }
 
 TEST_CASE("a ball shrinks by its curvature at twice the inverse of its radius") {
-    const dsc3d::Mesh mesh = ball();
+    const dsc3d::Mesh mesh = small_sphere();
     const double before =
         mean_radius(targets_of(mesh, {.motion = Motion::translate, .velocity = Point3(0, 0, 0)}, 0, 1));
     const double dt = 1e-5;

@@ -28,7 +28,7 @@ Arguments with(Arguments arguments, const Arguments& more) {
     return arguments;
 }
 
-void check_refused(const Arguments& arguments, const std::string& word) {
+void check_program_refuses(const Arguments& arguments, const std::string& word) {
     CAPTURE(arguments);
     const ProgramResult result = run_program(DSC_FLUID_PROGRAM, arguments);
     INFO(result.err);
@@ -86,20 +86,20 @@ TEST_CASE("a run that was killed goes on to the same results", "[fluid]") {
 TEST_CASE("bad input is refused in one line", "[fluid]") {
     const TemporaryFolder folder;
     const std::string out = (folder / "out").string();
-    check_refused({"-o", out}, "scene");
-    check_refused({"--scene", "droplet"}, "-o");
-    check_refused({"--scene", "nothing", "-o", out}, "--scene");
-    check_refused({"absent.json", "-o", out}, "absent.json");
-    check_refused({"--scene", "droplet", "--density", "0", "-o", out}, "--density");
-    check_refused({"--scene", "droplet", "--dt", "fast", "-o", out}, "--dt");
-    check_refused({"--scene", "droplet", "--velocity", "1", "-o", out}, "--velocity");
-    check_refused({"--scene", "tank", "--compensation", "2", "-o", out}, "--compensation");
-    check_refused({"--resume", "-o", out}, "checkpoint");
+    check_program_refuses({"-o", out}, "scene");
+    check_program_refuses({"--scene", "droplet"}, "-o");
+    check_program_refuses({"--scene", "nothing", "-o", out}, "--scene");
+    check_program_refuses({"absent.json", "-o", out}, "absent.json");
+    check_program_refuses({"--scene", "droplet", "--density", "0", "-o", out}, "--density");
+    check_program_refuses({"--scene", "droplet", "--dt", "fast", "-o", out}, "--dt");
+    check_program_refuses({"--scene", "droplet", "--velocity", "1", "-o", out}, "--velocity");
+    check_program_refuses({"--scene", "tank", "--compensation", "2", "-o", out}, "--compensation");
+    check_program_refuses({"--resume", "-o", out}, "checkpoint");
     const std::string scene = (folder / "scene.json").string();
     io::write_file(scene, R"({"bodies": [{"radius": 0}]})");
-    check_refused({scene, "-o", out}, "bodies[0].radius");
-    check_refused({scene, "--scene", "droplet", "-o", out}, "both");
-    check_refused({"--scene", "droplet", "--capillary-share", "4", "-o", out}, "--second-order");
+    check_program_refuses({scene, "-o", out}, "bodies[0].radius");
+    check_program_refuses({scene, "--scene", "droplet", "-o", out}, "both");
+    check_program_refuses({"--scene", "droplet", "--capillary-share", "4", "-o", out}, "--second-order");
 }
 
 TEST_CASE("a drop that is thrown at a wall stays in the domain, and keeps its volume", "[fluid]") {

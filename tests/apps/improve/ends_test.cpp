@@ -10,7 +10,7 @@ using namespace dsc::tests;
 
 namespace {
 
-double worst_quality(const geometry::TetData& data) {
+double worst_biased_sine(const geometry::TetData& data) {
     return improve::mesh_statistics(data, geometry::QualityMeasure::minimum_biased_sine).worst_quality;
 }
 
@@ -43,5 +43,5 @@ TEST_CASE("an interrupted run writes the mesh so far and ends with 1 and one lin
     CHECK_THAT(result.out, Catch::Contains("stopped by the user"));
     const geometry::TetData after = io::read_tet_mesh(output).data;
     CHECK(validate(dsc3d::Mesh(after)).empty());
-    CHECK(worst_quality(after) >= worst_quality(before));
+    CHECK(worst_biased_sine(after) >= worst_biased_sine(before));
 }

@@ -12,6 +12,7 @@
 
 using namespace dsc::dsc2d;
 using dsc::tests::circle;
+using dsc::tests::complex_of;
 using std::numbers::pi;
 
 namespace {
@@ -24,12 +25,6 @@ std::vector<Point2> moved(const Complex& complex, double dt, const CurvaturePara
     std::vector<Point2> places = curvature_displacements(interface, dt, is_fixed, parameters);
     for (std::size_t i = 0; i < places.size(); ++i) places[i] += complex.position(interface.vertices[i]);
     return places;
-}
-
-Complex complex_of(const std::vector<Point2>& outline) {
-    Complex complex = structured_complex(Domain::box({-2, -2}, {2, 2}), 9, 9);
-    insert_polygon(complex, outline, 1);
-    return complex;
 }
 
 }  // namespace

@@ -13,17 +13,8 @@
 
 using namespace dsc::dsc2d;
 using dsc::tests::circle;
+using dsc::tests::complex_of;
 using std::numbers::pi;
-
-namespace {
-
-Complex complex_of(const std::vector<Point2>& outline) {
-    Complex complex = structured_complex(Domain::box({-2, -2}, {2, 2}), 9, 9);
-    insert_polygon(complex, outline, 1);
-    return complex;
-}
-
-}  // namespace
 
 TEST_CASE("every vertex of any polygon goes to where the offset lines of its sides meet") {
     dsc::core::Random random(dsc::tests::seed(3));

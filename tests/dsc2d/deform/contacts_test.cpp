@@ -13,29 +13,10 @@
 
 using namespace dsc::dsc2d;
 using dsc::motion::TopologyPolicy;
+using dsc::tests::min_angle;
 using dsc::tests::require_valid;
+using dsc::tests::targets_of;
 using std::numbers::pi;
-
-namespace {
-
-template <class Map>
-std::vector<std::optional<Point2>> targets_of(const Complex& complex, Map map) {
-    std::vector<std::optional<Point2>> targets(complex.vertex_capacity());
-    for (const VertexId v : Interface(complex).vertices) targets[v.index()] = map(complex.position(v));
-    return targets;
-}
-
-double min_angle(const Complex& complex) {
-    double smallest = pi;
-    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
-        if (complex.is_deleted(FaceId(i))) continue;
-        const auto [a, b, c] = complex.corners(FaceId(i));
-        smallest = std::min(smallest, dsc::geometry::min_angle(a, b, c));
-    }
-    return smallest;
-}
-
-}  // namespace
 
 TEST_CASE("a region that shrinks to a single face is stopped where topology is preserved, and vanishes elsewhere") {
     for (const TopologyPolicy policy : {TopologyPolicy::preserved, TopologyPolicy::adaptive}) {

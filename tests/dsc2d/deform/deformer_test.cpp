@@ -10,18 +10,8 @@
 
 using namespace dsc::dsc2d;
 using dsc::tests::require_valid;
+using dsc::tests::targets_of;
 using std::numbers::pi;
-
-namespace {
-
-template <class Map>
-std::vector<std::optional<Point2>> targets_of(const Complex& complex, Map map) {
-    std::vector<std::optional<Point2>> targets(complex.vertex_capacity());
-    for (const VertexId v : Interface(complex).vertices) targets[v.index()] = map(complex.position(v));
-    return targets;
-}
-
-}  // namespace
 
 TEST_CASE("a complex may be compacted between the steps of one deformer") {
     Complex complex = complex_around(Domain::box({-1, -1}, {1, 1}), slotted_disc({0, 0}, 0.5, 0.2, 0.6, 0.05), 0.05);

@@ -13,20 +13,11 @@
 
 using namespace dsc::dsc2d;
 using dsc::tests::circle;
+using dsc::tests::min_angle;
 using dsc::tests::require_valid;
 using std::numbers::pi;
 
 namespace {
-
-double min_angle(const Complex& complex) {
-    double smallest = pi;
-    for (std::uint32_t i = 0; i < complex.face_capacity(); ++i) {
-        if (complex.is_deleted(FaceId(i))) continue;
-        const auto [a, b, c] = complex.corners(FaceId(i));
-        smallest = std::min(smallest, dsc::geometry::min_angle(a, b, c));
-    }
-    return smallest;
-}
 
 // One pass over all vertices.
 template <class Pass>

@@ -10,8 +10,6 @@ using namespace dsc::tests;
 
 namespace {
 
-double ball_function(const Point3& p) { return (p - Point3(0.5, 0.6, 0.5)).norm() - 0.2; }
-
 struct Motion {
     explicit Motion(Mesh& mesh)
         : rated(mesh, geometry::QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh)),
@@ -35,7 +33,7 @@ struct Motion {
 }  // namespace
 
 TEST_CASE("what moves rigidly arrives, exactly, with its volume") {
-    Mesh mesh = box_with(ball_function, 0.12);
+    Mesh mesh = box_with(distance_from_sphere({0.5, 0.6, 0.5}, 0.2), 0.12);
     Motion motion(mesh);
     const auto connectivity = labelled_tets(mesh.complex());
     const auto before = volumes(mesh);
@@ -56,7 +54,7 @@ TEST_CASE("however wild the motion, no tetrahedron is inverted, or worse than th
     core::Random random(seed(1));
     const double least = 0.1;
     for (int trial = 0; trial < 24; ++trial) {
-        Mesh mesh = box_with(ball_function, 0.17);
+        Mesh mesh = box_with(distance_from_sphere({0.5, 0.6, 0.5}, 0.2), 0.17);
         Motion motion(mesh);
         const auto connectivity = labelled_tets(mesh.complex());
         const double reach = std::array{0.01, 0.1, 1.0, 100.0}[static_cast<std::size_t>(trial % 4)];
@@ -96,7 +94,7 @@ TEST_CASE("however wild the motion, no tetrahedron is inverted, or worse than th
 }
 
 TEST_CASE("what is pushed against the boundary of the domain goes on beside it, and stays inside") {
-    Mesh mesh = box_with(ball_function, 0.15);
+    Mesh mesh = box_with(distance_from_sphere({0.5, 0.6, 0.5}, 0.2), 0.15);
     Motion motion(mesh);
     double way = 0;
     for (int step = 0; step < 5; ++step) {

@@ -10,12 +10,6 @@ using motion::TopologyPolicy;
 
 namespace {
 
-class EventList final : public Listener {
-public:
-    void on_event(const Event& event) override { events.push_back(event); }
-    std::vector<Event> events;
-};
-
 /// A slab whose sheets go towards each other, and what the contacts make of it.
 struct Squeeze {
     Squeeze(const std::array<int, 3>& labels, double thickness, TopologyPolicy policy, double closing = 0.05)

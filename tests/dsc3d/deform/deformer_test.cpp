@@ -61,12 +61,6 @@ void require_sum(const Mesh& mesh, double domain) {
     REQUIRE(sum == Approx(domain).epsilon(1e-12));
 }
 
-class EventList final : public Listener {
-public:
-    void on_event(const Event& event) override { events.push_back(event); }
-    std::vector<Event> events;
-};
-
 Point3 drive_together(const Point3& p) { return p + Point3(p.x() < 0.5 ? 0.02 : -0.02, 0, 0); }
 
 /// Towards the axis, most at the neck.

@@ -10,8 +10,6 @@ using namespace dsc::tests;
 
 namespace {
 
-double ball_function(const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.25; }
-
 std::map<VertexId, Point3> interface_places(const Mesh& mesh) {
     std::map<VertexId, Point3> found;
     for (const auto& [v, place] : places(mesh))
@@ -31,7 +29,7 @@ double longest_off_interface(PassBench& bench) {
 
 TEST_CASE("no edge off the interface stays longer than wanted, and the interface stays") {
     for (const double wanted : {0.12, 0.08, 0.05}) {
-        Mesh mesh = box_with(ball_function, 0.2);
+        Mesh mesh = box_with(distance_from_sphere({0.5, 0.5, 0.5}, 0.25), 0.2);
         PassBench bench(mesh, {.edge_length = wanted});
         DetailControl detail;
         const auto triangles = interface_triangles(mesh.complex());
@@ -58,7 +56,7 @@ TEST_CASE("no edge off the interface stays longer than wanted, and the interface
 }
 
 TEST_CASE("short edges off the interface are collapsed as far as the tetrahedra stay good, and the interface stays") {
-    Mesh mesh = box_with(ball_function, 0.1);
+    Mesh mesh = box_with(distance_from_sphere({0.5, 0.5, 0.5}, 0.25), 0.1);
     PassBench bench(mesh, {.edge_length = 0.3});
     DetailControl detail;
     const auto triangles = interface_triangles(mesh.complex());

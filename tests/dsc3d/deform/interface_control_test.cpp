@@ -14,8 +14,6 @@ using namespace dsc::tests;
 
 namespace {
 
-double ball_function(const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.3; }
-
 std::vector<double> interface_lengths(PassBench& bench) {
     std::vector<double> lengths;
     PassContext context = bench.context();
@@ -25,16 +23,10 @@ std::vector<double> interface_lengths(PassBench& bench) {
     return lengths;
 }
 
-double worst_quality(const PassBench& bench) {
-    double worst = 1;
-    for (const TetId t : tets(bench.rated.complex())) worst = std::min(worst, bench.rated.quality(t));
-    return worst;
-}
-
 }  // namespace
 
 TEST_CASE("a sphere gets the lengths that are wanted, which vary, and keeps its place and its topology") {
-    Mesh mesh = box_with(ball_function, 0.12);
+    Mesh mesh = box_with(distance_from_sphere({0.5, 0.5, 0.5}, 0.3), 0.12);
     PassBench bench(mesh, {.edge_length = 0.08});
     const auto set_lengths = [&] {
         for (const VertexId v : vertices(mesh.complex()))
@@ -77,7 +69,8 @@ TEST_CASE("a sphere gets the lengths that are wanted, which vary, and keeps its 
     CHECK(ball.surfaces == 1);
     CHECK(ball.genus == 0);
     for (const VertexId v : vertices(mesh.complex()))
-        if (mesh.complex().is_interface(v)) CHECK(std::abs(ball_function(mesh.position(v))) < 0.012);
+        if (mesh.complex().is_interface(v))
+            CHECK(std::abs(distance_from_sphere({0.5, 0.5, 0.5}, 0.3)(mesh.position(v))) < 0.012);
 }
 
 TEST_CASE("a cube keeps its corners and its edges, whatever lengths are wanted") {
@@ -128,7 +121,7 @@ TEST_CASE("a cube keeps its corners and its edges, whatever lengths are wanted")
 
 TEST_CASE("degenerate edges and caps of the interface disappear, also where it is bent") {
     core::Random random(seed(1));
-    Mesh mesh = box_with(ball_function, 0.15);
+    Mesh mesh = box_with(distance_from_sphere({0.5, 0.5, 0.5}, 0.3), 0.15);
     PassBench bench(mesh, {.edge_length = 0.12});
     InterfaceControl control(mesh);
     std::vector<EdgeId> some;
@@ -182,7 +175,7 @@ TEST_CASE("the listener hears of every vertex of the interface that comes or goe
         std::set<VertexId> there;
     };
     for (const double wanted : {0.08, 0.22}) {
-        Mesh mesh = box_with(ball_function, 0.15);
+        Mesh mesh = box_with(distance_from_sphere({0.5, 0.5, 0.5}, 0.3), 0.15);
         PassBench bench(mesh, {.edge_length = wanted});
         Census census(mesh);
         InterfaceControl control(mesh);

@@ -18,7 +18,7 @@ using motion::TopologyPolicy;
 namespace {
 
 constexpr double front = 0.5;  // x of the side of the plate at which the ball is thrown
-constexpr double radius = 0.05, edge_length = 0.03;
+constexpr double start_radius = 0.05, edge_length = 0.03;
 constexpr int ball_label = 1, plate_label = 2;
 
 void append(geometry::InterfaceData& all, const geometry::SurfaceData& part, int label) {
@@ -32,9 +32,9 @@ void append(geometry::InterfaceData& all, const geometry::SurfaceData& part, int
 
 /// A ball that will hit the middle of the plate after a way of four radii or more.
 Mesh ball_and_plate(double thickness, const Point3& direction) {
-    const Point3 centre = Point3(front, 0.5, 0.5) - 4 * radius * direction / direction.x();
+    const Point3 centre = Point3(front, 0.5, 0.5) - 4 * start_radius * direction / direction.x();
     geometry::InterfaceData all;
-    append(all, icosphere(centre, radius, icosphere_frequency(radius, edge_length)), ball_label);
+    append(all, icosphere(centre, start_radius, icosphere_frequency(start_radius, edge_length)), ball_label);
     append(all, box_surface({Point3(front, 0.38, 0.38), Point3(front + thickness, 0.62, 0.62)}, edge_length),
            plate_label);
     core::Observer observer;
@@ -49,16 +49,10 @@ std::map<VertexId, Point3> vertices_of(const Mesh& mesh, int label) {
     return found;
 }
 
-class EventList final : public Listener {
-public:
-    void on_event(const Event& event) override { events.push_back(event); }
-    std::vector<Event> events;
-};
-
 StepReport throw_ball(Mesh& mesh, Deformer& deformer, const Point3& direction) {
     std::vector<std::optional<Point3>> targets(mesh.complex().vertex_capacity());
     for (const auto& [v, p] : vertices_of(mesh, ball_label)) {
-        if (mesh.complex().is_interface(v)) targets[v.index()] = p + 20 * radius * direction;
+        if (mesh.complex().is_interface(v)) targets[v.index()] = p + 20 * start_radius * direction;
     }
     StepReport report = deformer.step(targets);
     REQUIRE(validate(mesh).empty());

@@ -36,8 +36,6 @@ std::map<VertexId, double> distances(const Mesh& mesh) {
     return found;
 }
 
-double ball_function(const Point3& p) { return (p - Point3(0.4, 0.5, 0.5)).norm() - 0.2; }
-
 /// By how much the most the lengths at the ends of an edge differ beyond growth times its length.
 double excess(const Mesh& mesh, const LocalLength& length, double growth) {
     double most = -std::numeric_limits<double>::infinity();
@@ -54,7 +52,7 @@ double excess(const Mesh& mesh, const LocalLength& length, double growth) {
 }  // namespace
 
 TEST_CASE("wanted lengths grow with the distance from the interface along the edges") {
-    const Mesh mesh = box_with(ball_function, 0.12);
+    const Mesh mesh = box_with(distance_from_sphere({0.4, 0.5, 0.5}, 0.2), 0.12);
     for (const double growth : {0.0, 0.3, 1.0}) {
         const LocalLength length(mesh, 0.1, growth);
         for (const auto& [v, distance] : distances(mesh))
@@ -69,7 +67,7 @@ TEST_CASE("in a mesh without an interface the wanted length is the same everywhe
 }
 
 TEST_CASE("after an update of everything, neighbours differ by growth times their distance at most") {
-    Mesh mesh = box_with(ball_function, 0.12);
+    Mesh mesh = box_with(distance_from_sphere({0.4, 0.5, 0.5}, 0.2), 0.12);
     const double growth = 0.6;
     RatedMesh rated(mesh, geometry::QualityMeasure::minimum_sine, FlatSurface::flat_boundary(mesh));
     LocalLength length(mesh, 0.1, growth);

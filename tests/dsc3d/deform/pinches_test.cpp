@@ -10,7 +10,7 @@ using namespace dsc::tests;
 
 namespace {
 
-const VertexId centre(13);  // of the box of 2 x 2 x 2 cubes, its only vertex off the boundary
+const VertexId inner_vertex(13);  // of the box of 2 x 2 x 2 cubes, its only vertex off the boundary
 
 /// Gives to the winner what is found until nothing is; how many tetrahedra that were.
 int open_pinches(Mesh& mesh, int winner, int loser) {
@@ -19,13 +19,13 @@ int open_pinches(Mesh& mesh, int winner, int loser) {
     Pinches pinches;
     int given = 0;
     for (;;) {
-        const std::span<const TetId> found = pinches.find(context, centre, winner, loser);
+        const std::span<const TetId> found = pinches.find(context, inner_vertex, winner, loser);
         if (found.empty()) return given;
         const std::set<TetId> once(found.begin(), found.end());
         REQUIRE(once.size() == found.size());
         for (const TetId t : once) {
             REQUIRE(mesh.complex().label(t) == loser);
-            REQUIRE(mesh.complex().has_vertex(t, centre));
+            REQUIRE(mesh.complex().has_vertex(t, inner_vertex));
             bench.rated.set_label(t, winner);
             ++given;
         }
@@ -35,7 +35,7 @@ int open_pinches(Mesh& mesh, int winner, int loser) {
 std::vector<TetId> star_of_centre(const Mesh& mesh) {
     std::vector<TetId> star;
     for (const TetId t : tets(mesh.complex()))
-        if (mesh.complex().has_vertex(t, centre)) star.push_back(t);
+        if (mesh.complex().has_vertex(t, inner_vertex)) star.push_back(t);
     return star;
 }
 

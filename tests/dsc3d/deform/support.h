@@ -74,6 +74,25 @@ struct PassBench {
     dsc3d::StepReport report;
 };
 
+/// Keeps the events of a step.
+class EventList final : public dsc3d::Listener {
+public:
+    void on_event(const dsc3d::Event& event) override { events.push_back(event); }
+    std::vector<dsc3d::Event> events;
+};
+
+/// The signed distance from a sphere, negative inside.
+inline std::function<double(const Point3&)> distance_from_sphere(const Point3& centre, double radius) {
+    return [centre, radius](const Point3& p) { return (p - centre).norm() - radius; };
+}
+
+/// The least quality of all tetrahedra.
+inline double worst_quality(const PassBench& bench) {
+    double worst = 1;
+    for (const core::TetId t : tets(bench.rated.complex())) worst = std::min(worst, bench.rated.quality(t));
+    return worst;
+}
+
 inline std::map<core::VertexId, Point3> places(const dsc3d::Mesh& mesh) {
     std::map<core::VertexId, Point3> found;
     for (const core::VertexId v : vertices(mesh.complex())) found[v] = mesh.position(v);

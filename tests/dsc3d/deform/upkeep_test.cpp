@@ -11,20 +11,12 @@ using namespace dsc::tests;
 
 namespace {
 
-double ball_function(const Point3& p) { return (p - Point3(0.5, 0.5, 0.5)).norm() - 0.25; }
-
 /// A ball in a box, everything else shaken.
 Mesh shaken(std::uint64_t number) {
     core::Random random(number);
-    TetData data = box_with(ball_function, 0.14).data();
+    TetData data = box_with(distance_from_sphere({0.5, 0.5, 0.5}, 0.25), 0.14).data();
     shake_inside(data, 0.08, random);
     return Mesh(data);
-}
-
-double worst_quality(const PassBench& bench) {
-    double worst = 1;
-    for (const TetId t : tets(bench.rated.complex())) worst = std::min(worst, bench.rated.quality(t));
-    return worst;
 }
 
 std::size_t poor_tets(const PassBench& bench) {

@@ -14,7 +14,7 @@ using namespace dsc::tests;
 
 namespace {
 
-const Eigen::AlignedBox3d box(Point3(-0.5, 0, 0.1), Point3(0.5, 0.6, 0.9));
+const Eigen::AlignedBox3d block_box(Point3(-0.5, 0, 0.1), Point3(0.5, 0.6, 0.9));
 
 // The closed surface of one label, normals out of it.
 geometry::SurfaceData boundary(const geometry::InterfaceData& interface, int label) {
@@ -30,7 +30,7 @@ geometry::SurfaceData boundary(const geometry::InterfaceData& interface, int lab
 }  // namespace
 
 TEST_CASE("a box has its volume, its area, and edges of the length asked for") {
-    const geometry::SurfaceData surface = box_surface(box, 0.1);
+    const geometry::SurfaceData surface = box_surface(block_box, 0.1);
     const geometry::SurfaceCheck check = require_closed(surface);
     CHECK(*check.genus == 0);
     CHECK(surface.triangles.size() == 2 * 2 * (10 * 6 + 10 * 8 + 6 * 8));
@@ -40,7 +40,7 @@ TEST_CASE("a box has its volume, its area, and edges of the length asked for") {
     CHECK(triangles.shortest == Approx(0.1));
     CHECK(triangles.longest == Approx(0.1 * std::sqrt(2.0)));
     CHECK(triangles.least_angle == Approx(45));
-    CHECK(box_surface(box, 5).triangles.size() == 12);
+    CHECK(box_surface(block_box, 5).triangles.size() == 12);
 }
 
 TEST_CASE("a cube with a slot has its volume, its area and genus 0") {
@@ -52,7 +52,7 @@ TEST_CASE("a cube with a slot has its volume, its area and genus 0") {
 }
 
 TEST_CASE("three labels of a block have their volumes and meet in one straight line") {
-    const geometry::InterfaceData block = labelled_block(box, 0.1);
+    const geometry::InterfaceData block = labelled_block(block_box, 0.1);
     REQUIRE(block.sides.size() == block.surface.triangles.size());
     const double half = 0.24;
     for (const auto& [label, volume] : std::map<int, double>{{1, half}, {2, half / 2}, {3, half / 2}}) {
@@ -74,8 +74,8 @@ TEST_CASE("three labels of a block have their volumes and meet in one straight l
 }
 
 TEST_CASE("blocks say what is wrong with their lengths") {
-    CHECK_THROWS_AS(box_surface(box, 0), core::UsageError);
-    CHECK_THROWS_AS(box_surface(box, 1e-7), core::UsageError);
+    CHECK_THROWS_AS(box_surface(block_box, 0), core::UsageError);
+    CHECK_THROWS_AS(box_surface(block_box, 1e-7), core::UsageError);
     CHECK_THROWS_AS(box_surface({Point3(0, 0, 0), Point3(1, 0, 1)}, 0.1), core::UsageError);
     CHECK_THROWS_AS(slotted_cube(Point3::Zero(), {.side = 0.1}, 0.1), core::UsageError);
     CHECK_THROWS_AS(slotted_cube(Point3::Zero(), {.slot_width = -0.1}, 0.1), core::UsageError);

@@ -16,10 +16,10 @@ using namespace dsc::tests;
 
 namespace {
 
-const Point3 centre(0.52, 0.48, 0.5);
-constexpr double radius = 0.3;
+const Point3 ball_centre(0.52, 0.48, 0.5);
+constexpr double ball_radius = 0.3;
 
-double sphere(const Point3& p) { return (p - centre).norm() - radius; }
+double sphere(const Point3& p) { return (p - ball_centre).norm() - ball_radius; }
 
 Mesh fitted_box(double spacing) {
     Mesh mesh(lattice({Point3(0, 0, 0), Point3(1, 1, 1)}, spacing));
@@ -30,7 +30,7 @@ Mesh fitted_box(double spacing) {
 }  // namespace
 
 TEST_CASE("the interface of a fitted sphere lies on it, and its volume converges with the square of the spacing") {
-    const double exact = 4 * std::numbers::pi / 3 * radius * radius * radius;
+    const double exact = 4 * std::numbers::pi / 3 * ball_radius * ball_radius * ball_radius;
     std::vector<double> error;
     for (const double spacing : {0.1, 0.05}) {
         const Mesh mesh = fitted_box(spacing);

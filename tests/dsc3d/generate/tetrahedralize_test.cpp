@@ -23,7 +23,7 @@ using namespace dsc::tests;
 namespace {
 
 const Eigen::AlignedBox3d unit_box(Point3(0, 0, 0), Point3(1, 1, 1));
-const Point3 centre(0.5, 0.5, 0.5);
+const Point3 domain_centre(0.5, 0.5, 0.5);
 constexpr double degree = std::numbers::pi / 180;
 
 using Corner = std::array<double, 3>;
@@ -85,11 +85,11 @@ double enclosed(const geometry::SurfaceData& surface) { return *geometry::check_
 TEST_CASE("every triangle of a surface is kept, nothing else separates labels, and all angles are 15 degrees or more",
           "[slow]") {
     const std::vector<std::pair<const char*, geometry::SurfaceData>> surfaces = {
-        {"sphere", icosphere(centre, 0.3, 8)},
+        {"sphere", icosphere(domain_centre, 0.3, 8)},
         {"small sphere aside", icosphere(Point3(0.35, 0.35, 0.35), 0.15, 8)},
-        {"torus", torus(centre, 0.3, 0.1, 0.05)},
-        {"slotted cube", slotted_cube(centre, {}, 0.05)},
-        {"two spheres", two_spheres(centre, 0.15, 0.02, 8)},
+        {"torus", torus(domain_centre, 0.3, 0.1, 0.05)},
+        {"slotted cube", slotted_cube(domain_centre, {}, 0.05)},
+        {"two spheres", two_spheres(domain_centre, 0.15, 0.02, 8)},
     };
     for (const auto& [name, surface] : surfaces) {
         CAPTURE(name);
@@ -120,7 +120,7 @@ TEST_CASE("three labels that meet in a line are kept") {
 }
 
 TEST_CASE("labels are winding numbers: parts side by side, cavities, parts within parts") {
-    const geometry::SurfaceData outer = icosphere(centre, 0.4, 3), inner = icosphere(centre, 0.2, 2);
+    const geometry::SurfaceData outer = icosphere(domain_centre, 0.4, 3), inner = icosphere(domain_centre, 0.2, 2);
     const double large = enclosed(outer), small = enclosed(inner);
     {
         const Mesh mesh = filled(joined(outer, inner));
@@ -138,14 +138,14 @@ TEST_CASE("labels are winding numbers: parts side by side, cavities, parts withi
         CHECK(volume_of_label(mesh, 1) == Approx(large).epsilon(1e-12));
     }
     {
-        const geometry::SurfaceData pair = two_spheres(centre, 0.15, 0.1, 4);
+        const geometry::SurfaceData pair = two_spheres(domain_centre, 0.15, 0.1, 4);
         const Mesh mesh = filled(pair);
         CHECK(volume_of_label(mesh, 1) == Approx(enclosed(pair)).epsilon(1e-12));
         CHECK(components_of_label(mesh.complex(), 1) == 2);
     }
     {
         // A ball in the cavity of a ball.
-        const Mesh mesh = filled(joined(joined(outer, turned(inner)), icosphere(centre, 0.1, 2)));
+        const Mesh mesh = filled(joined(joined(outer, turned(inner)), icosphere(domain_centre, 0.1, 2)));
         CHECK(components_of_label(mesh.complex(), 0) == 2);
         CHECK(components_of_label(mesh.complex(), 1) == 2);
     }
@@ -153,7 +153,7 @@ TEST_CASE("labels are winding numbers: parts side by side, cavities, parts withi
 
 TEST_CASE("the same surface gives the same mesh") {
     core::Observer observer;
-    const geometry::SurfaceData surface = icosphere(centre, 0.3, 6);
+    const geometry::SurfaceData surface = icosphere(domain_centre, 0.3, 6);
     const geometry::TetData first = tetrahedralize(surface, unit_box, {}, observer);
     const geometry::TetData second = tetrahedralize(surface, unit_box, {}, observer);
     CHECK(first.vertices == second.vertices);
@@ -167,7 +167,7 @@ TEST_CASE("surfaces that bound nothing, meet themselves or leave the box are ref
                           const TetrahedralizeParameters& parameters = {}) {
         return tetrahedralize(surface, box, parameters, observer);
     };
-    const geometry::SurfaceData ball = icosphere(centre, 0.3, 2);
+    const geometry::SurfaceData ball = icosphere(domain_centre, 0.3, 2);
     geometry::SurfaceData bad = ball;
     bad.triangles.pop_back();
     CHECK_THROWS_AS(fill(bad), core::UsageError);
@@ -175,10 +175,11 @@ TEST_CASE("surfaces that bound nothing, meet themselves or leave the box are ref
     std::swap(bad.triangles[3][0], bad.triangles[3][1]);
     CHECK_THROWS_AS(fill(bad), core::UsageError);
     CHECK_THROWS_AS(fill(geometry::SurfaceData()), core::UsageError);
-    CHECK_THROWS_WITH(fill(joined(ball, icosphere(centre + Point3(0.3, 0, 0), 0.1, 2))), Catch::Contains("intersects"));
+    CHECK_THROWS_WITH(fill(joined(ball, icosphere(domain_centre + Point3(0.3, 0, 0), 0.1, 2))),
+                      Catch::Contains("intersects"));
     CHECK_THROWS_WITH(fill(joined(ball, turned(icosphere(Point3(0.1, 0.1, 0.1), 0.05, 2)))),
                       Catch::Contains("inside out"));
-    CHECK_THROWS_WITH(fill(icosphere(centre, 0.6, 2)), Catch::Contains("leaves the box"));
+    CHECK_THROWS_WITH(fill(icosphere(domain_centre, 0.6, 2)), Catch::Contains("leaves the box"));
     CHECK_THROWS_AS(fill(ball, {Point3(0, 0, 0), Point3(1, 1, 0)}), core::UsageError);
     CHECK_THROWS_AS(fill(ball, unit_box, {.growth = -1}), core::UsageError);
     CHECK_THROWS_AS(fill(ball, unit_box, {.min_angle = 0}), core::UsageError);

@@ -17,10 +17,10 @@ using namespace dsc::tests;
 
 namespace {
 
-const Point3 centre(0.5, 0.5, 0.5);
+const Point3 vessel_centre(0.5, 0.5, 0.5);
 
 geometry::InterfaceData ball(double radius) {
-    geometry::InterfaceData data{.surface = icosphere(centre, radius, 4)};
+    geometry::InterfaceData data{.surface = icosphere(vessel_centre, radius, 4)};
     data.sides.assign(data.surface.triangles.size(), {0, 1});
     return data;
 }
@@ -29,7 +29,7 @@ geometry::InterfaceData ball(double radius) {
 
 TEST_CASE("a vessel is filled to its triangles, with the labels of what is inside") {
     core::Observer observer;
-    const geometry::SurfaceData vessel = icosphere(centre, 1, 8);
+    const geometry::SurfaceData vessel = icosphere(vessel_centre, 1, 8);
     const Mesh mesh(tetrahedralize_within(ball(0.4), vessel, {}, observer));
     require_valid(mesh);
     CHECK(volume_of_label(mesh, 1) == Approx(*geometry::check_surface(ball(0.4).surface).volume).epsilon(1e-12));
@@ -39,19 +39,19 @@ TEST_CASE("a vessel is filled to its triangles, with the labels of what is insid
     for (const FaceId f : faces(mesh.complex())) boundary_faces += mesh.complex().is_boundary(f) ? 1 : 0;
     CHECK(boundary_faces == vessel.triangles.size());
     for (const VertexId v : vertices(mesh.complex()))
-        if (mesh.complex().is_boundary(v)) CHECK((mesh.position(v) - centre).norm() == Approx(1).epsilon(1e-14));
+        if (mesh.complex().is_boundary(v)) CHECK((mesh.position(v) - vessel_centre).norm() == Approx(1).epsilon(1e-14));
     CHECK(AngleRange(mesh).min > 14 * std::numbers::pi / 180);
 }
 
 TEST_CASE("what is no vessel, or does not hold the interface, is refused") {
     core::Observer observer;
-    geometry::SurfaceData turned = icosphere(centre, 1, 4), open = turned;
+    geometry::SurfaceData turned = icosphere(vessel_centre, 1, 4), open = turned;
     for (auto& triangle : turned.triangles) std::swap(triangle[0], triangle[1]);
     open.triangles.pop_back();
     CHECK_THROWS_AS(tetrahedralize_within(ball(0.4), turned, {}, observer), core::UsageError);
     CHECK_THROWS_AS(tetrahedralize_within(ball(0.4), open, {}, observer), core::UsageError);
-    CHECK_THROWS_AS(tetrahedralize_within(ball(0.4), icosphere(centre, 0.2, 4), {}, observer), core::UsageError);
+    CHECK_THROWS_AS(tetrahedralize_within(ball(0.4), icosphere(vessel_centre, 0.2, 4), {}, observer), core::UsageError);
     geometry::InterfaceData sides = ball(0.4);
     sides.sides.pop_back();
-    CHECK_THROWS_AS(tetrahedralize_within(sides, icosphere(centre, 1, 4), {}, observer), core::UsageError);
+    CHECK_THROWS_AS(tetrahedralize_within(sides, icosphere(vessel_centre, 1, 4), {}, observer), core::UsageError);
 }

@@ -19,9 +19,6 @@ using dsc::geometry::QualityMeasure;
 
 namespace {
 
-constexpr std::array measures = {QualityMeasure::minimum_sine, QualityMeasure::minimum_biased_sine,
-                                 QualityMeasure::volume_length, QualityMeasure::radius_ratio};
-
 TetData sample(std::uint32_t n, int labels, std::uint64_t with_seed) {
     Random random(with_seed);
     const Cells cells = {n, n, n};
@@ -150,7 +147,7 @@ bool have_same_bits(const TetData& a, const TetData& b) {
 }
 
 // The triangles of the surface, by the places of their corners.
-std::set<std::vector<std::array<double, 3>>> surface(const Mesh& mesh) {
+std::set<std::vector<std::array<double, 3>>> surface_triangles(const Mesh& mesh) {
     std::set<std::vector<std::array<double, 3>>> triangles;
     for (const FaceId f : faces(mesh.complex())) {
         if (!mesh.complex().is_surface(f)) continue;
@@ -178,7 +175,7 @@ private:
 TEST_CASE("improvement makes a shaken box much better, by every measure, and keeps its regions") {
     for (const int labels : {1, 2}) {
         const TetData data = sample(4, labels, seed(1));
-        for (const QualityMeasure measure : measures) {
+        for (const QualityMeasure measure : quality_measures) {
             const Run run(data, {.measure = measure});
             INFO("measure " << static_cast<int>(measure) << ", labels " << labels);
             CHECK(run.report.end == ImproveEnd::converged);
@@ -194,7 +191,7 @@ TEST_CASE("a mesh that is good is not thinned out at the cost of its worst tetra
     Random random(seed(7));
     for (Point3& p : data.vertices)
         for (int axis = 0; axis < 3; ++axis) p[axis] += random.uniform(-0.05, 0.05);
-    for (const QualityMeasure measure : measures) {
+    for (const QualityMeasure measure : quality_measures) {
         const double before = worst_quality(Mesh(data), measure);
         CHECK(before > 0.6);
         CHECK(Run(data, {.measure = measure}).worst(measure) >= before);
@@ -231,7 +228,7 @@ TEST_CASE("a surface stays within its tolerance, also where coordinates are coar
 
 TEST_CASE("a mesh of any size is improved in the same way") {
     const TetData data = sample(3, 2, seed(8));
-    for (const QualityMeasure measure : measures) {
+    for (const QualityMeasure measure : quality_measures) {
         const double at_one = Run(data, {.measure = measure}).worst(measure);
         for (const double unit : {0x1p-200, 0x1p-40, 0x1p40, 0x1p200}) {
             TetData scaled = data;
@@ -317,8 +314,8 @@ TEST_CASE("what is switched off is not done") {
     }
     SECTION("changes of the surface") {
         const Run run(data, {.changes_boundary = false});
-        CHECK(surface(run.mesh) == surface(input));
-        CHECK(surface(Run(data, {}).mesh) != surface(input));
+        CHECK(surface_triangles(run.mesh) == surface_triangles(input));
+        CHECK(surface_triangles(Run(data, {}).mesh) != surface_triangles(input));
     }
 }
 
@@ -334,7 +331,7 @@ TEST_CASE("a vertex comes from elsewhere to where a mesh has none, unless all ha
         };
         const Run stays = run(true), comes = run(false);
         CHECK(comes.mesh.complex().vertex_count() == data.vertices.size());
-        CHECK(surface(comes.mesh) == surface(Mesh(data)));
+        CHECK(surface_triangles(comes.mesh) == surface_triangles(Mesh(data)));
         CHECK(stays.worst(measure) < 0.6);
         CHECK(comes.worst(measure) > 0.85);  // a star around a centre in each
     }

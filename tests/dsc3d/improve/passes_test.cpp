@@ -12,7 +12,7 @@ using dsc::geometry::QualityMeasure;
 
 namespace {
 
-TetData sample(int labels, Random& random) {
+TetData passes_sample(int labels, Random& random) {
     const Cells cells = {4, 4, 4};
     TetData data = box(cells);
     if (labels > 1) label_slabs(data, cells, labels);
@@ -41,7 +41,7 @@ TEST_CASE("a pass never lowers the worst quality, moves no surface, and ends whe
     for (const int labels : {1, 2}) {
         for (const QualityMeasure measure : {QualityMeasure::minimum_biased_sine, QualityMeasure::radius_ratio}) {
             Random random(seed(1));
-            Mesh mesh(sample(labels, random));
+            Mesh mesh(passes_sample(labels, random));
             RatedMesh rated(mesh, measure, {});
             Passes passes(rated, {});
             const auto volumes_before = volumes(mesh);
@@ -78,7 +78,7 @@ TEST_CASE("a pass never lowers the worst quality, moves no surface, and ends whe
 
 TEST_CASE("a pass that was asked not to retriangulate does not") {
     Random random(seed(2));
-    Mesh mesh(sample(1, random));
+    Mesh mesh(passes_sample(1, random));
     RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
     Passes passes(rated, {.uses_multi_face_retriangulation = false});
     for (int round = 0; round < 4; ++round) passes.smooth_all_vertices(), passes.topological_pass();
@@ -90,7 +90,7 @@ TEST_CASE("thinning removes vertices and leaves tetrahedra that are better than 
     for (const bool removes_surface_vertices : {false, true}) {
         for (const double enough : {0.1, 0.3}) {
             Random random(seed(3));
-            Mesh mesh(sample(2, random));
+            Mesh mesh(passes_sample(2, random));
             RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
             Passes passes(rated, {.removes_surface_vertices = removes_surface_vertices, .enough = enough});
             const double before = worst_quality(rated);
@@ -112,7 +112,7 @@ TEST_CASE("thinning removes vertices and leaves tetrahedra that are better than 
 
 TEST_CASE("what a pass says is gone is gone") {
     Random random(seed(4));
-    Mesh mesh(sample(1, random));
+    Mesh mesh(passes_sample(1, random));
     RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
     Passes passes(rated, {});
     int removed = 0;
@@ -139,7 +139,7 @@ TEST_CASE("a pass that is cancelled does nothing") {
         bool is_cancelled() const override { return true; }
     };
     Random random(seed(5));
-    Mesh mesh(sample(1, random));
+    Mesh mesh(passes_sample(1, random));
     RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
     const Cancelling observer;
     const StopCondition stop(observer, {});

@@ -15,8 +15,6 @@ using dsc::geometry::QualityMeasure;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // The best of all triangulations of link[begin] .. link[end]: each triangle carries a tetrahedron at a and one at b.
 double best_of_all(const RatedMesh& mesh, const EdgeRing& ring, std::size_t begin, std::size_t end) {
     double best = -infinity;

@@ -2,7 +2,6 @@
 #include "dsc3d/operations/multi_face.h"
 
 #include <bit>
-#include <limits>
 
 #include "tests/dsc3d/samples.h"
 #include "tests/dsc3d/support.h"
@@ -15,8 +14,6 @@ using dsc::core::Random;
 using dsc::geometry::QualityMeasure;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A face counterclockwise as seen from its upper vertex.
 struct Sandwiched {

@@ -99,7 +99,7 @@ private:
     Proposal proposal_;
 };
 
-TetData sample(int trial, Random& random) {
+TetData rated_sample(int trial, Random& random) {
     TetData data = box({2, 2, 2});
     if (trial % 3 == 1) label_slabs(data, {2, 2, 2}, 2);
     shake_inside(data, 0.3, random);
@@ -112,7 +112,7 @@ TetData sample(int trial, Random& random) {
 TEST_CASE("what is taken back was never done") {
     Random random(seed(1));
     for (int trial = 0; trial < 12; ++trial) {
-        Mesh mesh(sample(trial, random));
+        Mesh mesh(rated_sample(trial, random));
         RatedMesh rated(mesh, QualityMeasure::minimum_biased_sine, {});
         RandomChanges changes(rated, random);
         for (int round = 0; round < 40; ++round) {
@@ -140,7 +140,7 @@ TEST_CASE("what is taken back was never done") {
 TEST_CASE("a transaction knows which tetrahedra it has touched, and what they were like") {
     Random random(seed(2));
     for (int trial = 0; trial < 30; ++trial) {
-        Mesh mesh(sample(trial, random));
+        Mesh mesh(rated_sample(trial, random));
         RatedMesh rated(mesh, QualityMeasure::volume_length, {});
         RandomChanges changes(rated, random);
         std::map<TetVertices, std::vector<Point3>> shapes;
@@ -178,7 +178,7 @@ TEST_CASE("a transaction knows which tetrahedra it has touched, and what they we
 
 TEST_CASE("a change that would invert a tetrahedron changes nothing") {
     Random random(seed(3));
-    Mesh mesh(sample(0, random));
+    Mesh mesh(rated_sample(0, random));
     RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
     const State before(rated);
     const std::uint32_t time = rated.time();
@@ -200,7 +200,7 @@ TEST_CASE("a change that would invert a tetrahedron changes nothing") {
 
 TEST_CASE("a change stamps the vertices of the tetrahedra that go, come or change, and no others") {
     Random random(seed(4));
-    Mesh mesh(sample(1, random));
+    Mesh mesh(rated_sample(1, random));
     RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
     const VertexId v(13);  // the middle
     std::vector<VertexId> neighbours;
@@ -216,7 +216,7 @@ TEST_CASE("a change stamps the vertices of the tetrahedra that go, come or chang
 
 TEST_CASE("another measure rates all tetrahedra anew") {
     Random random(seed(5));
-    Mesh mesh(sample(0, random));
+    Mesh mesh(rated_sample(0, random));
     RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
     for (const QualityMeasure measure :
          {QualityMeasure::radius_ratio, QualityMeasure::volume_length, QualityMeasure::minimum_biased_sine}) {

@@ -15,7 +15,7 @@ using dsc::geometry::QualityMeasure;
 
 namespace {
 
-TetData sample(int labels, Random& random) {
+TetData relocation_sample(int labels, Random& random) {
     TetData data = box({4, 3, 3});
     if (labels > 1) label_slabs(data, {4, 3, 3}, labels);
     shake_inside(data, 0.3, random);
@@ -26,7 +26,7 @@ TetData sample(int labels, Random& random) {
 using Corners = std::array<std::array<double, 3>, 3>;
 
 // The faces of boundary and interfaces by the places of their corners.
-std::set<Corners> surface(const Mesh& mesh) {
+std::set<Corners> surface_faces(const Mesh& mesh) {
     std::set<Corners> triangles;
     for (const FaceId f : faces(mesh.complex())) {
         if (!mesh.complex().is_surface(f)) continue;
@@ -72,10 +72,10 @@ TEST_CASE("a relocation keeps every vertex, the surface and the volume of each r
     Random random(seed(1));
     int done = 0;
     for (int trial = 0; trial < 12; ++trial) {
-        Mesh mesh(sample(1 + trial % 2, random));
+        Mesh mesh(relocation_sample(1 + trial % 2, random));
         RatedMesh rated(mesh, QualityMeasure::minimum_biased_sine, {});
         const auto volumes_before = volumes(mesh);
-        const auto surface_before = surface(mesh);
+        const auto surface_before = surface_faces(mesh);
         const auto vertices_before = vertices(mesh.complex());
         Relocation relocation;
         Proposal proposal;
@@ -101,7 +101,7 @@ TEST_CASE("a relocation keeps every vertex, the surface and the volume of each r
             for (const NewTet& tet : proposal.added) worst = std::min(worst, rated.rate(tet.vertices));
             CHECK(proposal.quality_after == worst);
             REQUIRE(vertices(mesh.complex()) == vertices_before);
-            REQUIRE(surface(mesh) == surface_before);
+            REQUIRE(surface_faces(mesh) == surface_before);
             require_same(volumes_before, volumes(mesh), 1e-12);
         }
     }
@@ -112,7 +112,7 @@ TEST_CASE("a relocation is possible for a vertex inside that can go, and an edge
     Random random(seed(2));
     int possible = 0, refused = 0;
     for (const int labels : {1, 2}) {
-        Mesh mesh(sample(labels, random));
+        Mesh mesh(relocation_sample(labels, random));
         RatedMesh rated(mesh, QualityMeasure::minimum_sine, {});
         const Complex& complex = mesh.complex();
         Relocation relocation;
@@ -135,7 +135,7 @@ TEST_CASE("a relocation is possible for a vertex inside that can go, and an edge
 
 TEST_CASE("a relocation that is taken back was never done") {
     Random random(seed(3));
-    Mesh mesh(sample(2, random));
+    Mesh mesh(relocation_sample(2, random));
     RatedMesh rated(mesh, QualityMeasure::minimum_biased_sine, {});
     const auto state = [&] {
         std::vector<std::array<double, 3>> places;

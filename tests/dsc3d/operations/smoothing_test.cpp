@@ -13,9 +13,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::array measures = {QualityMeasure::minimum_sine, QualityMeasure::minimum_biased_sine,
-                                 QualityMeasure::volume_length, QualityMeasure::radius_ratio};
-
 // The worst quality of the star of v with v at x.
 double quality_at(const RatedMesh& mesh, VertexId v, std::span<const TetId> star, const Point3& x) {
     double worst = std::numeric_limits<double>::infinity();
@@ -88,7 +85,7 @@ TEST_CASE("smoothing finds places as good as those of a fine grid around them, a
     const SmoothingParameters patient = {.max_steps = 200, .least_gain = 1e-5};
     std::map<VertexMotion, int> count;
     int good = 0, all = 0;
-    for (const QualityMeasure measure : measures) {
+    for (const QualityMeasure measure : quality_measures) {
         Random random(seed(1));
         for (int trial = 0; trial < 8; ++trial) {
             TetData data = shaken_box(0.4, random);
@@ -120,7 +117,7 @@ TEST_CASE("smoothing finds places as good as those of a fine grid around them, a
 }
 
 TEST_CASE("smoothing never makes a star worse, moves the surface along itself, and leaves fixed vertices alone") {
-    for (const QualityMeasure measure : measures) {
+    for (const QualityMeasure measure : quality_measures) {
         Random random(seed(2));
         for (int trial = 0; trial < 20; ++trial) {
             TetData data = shaken_box(0.45, random);
@@ -154,7 +151,7 @@ TEST_CASE("smoothing never makes a star worse, moves the surface along itself, a
 
 TEST_CASE("a vertex in the best place stays there") {
     // The middle of an icosahedron.
-    for (const QualityMeasure measure : measures) {
+    for (const QualityMeasure measure : quality_measures) {
         Mesh mesh(ball(0));
         RatedMesh rated(mesh, measure, {});
         CHECK_FALSE(Smoothing().smooth(rated, VertexId(12)));

@@ -13,11 +13,11 @@ namespace {
 const std::string head =
     "ply\nformat ascii 1.0\ncomment made by hand\nobj_info none\nelement vertex 4\nproperty float x\n"
     "property float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
-const std::string text = head + "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n4 0 1 2 3\n3 2 1 0\n";
-const Triangles triangles{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}};
+const std::string ply_text = head + "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n4 0 1 2 3\n3 2 1 0\n";
+const Triangles ply_triangles{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}};
 
-std::string error(const std::string& what, const std::string& replacement) {
-    return surface_error("s.ply", replaced(text, what, replacement));
+std::string ply_error(const std::string& what, const std::string& replacement) {
+    return surface_error("s.ply", replaced(ply_text, what, replacement));
 }
 
 // Properties of all types, lists, and an element that nobody knows, in binary.
@@ -52,7 +52,7 @@ void check_binary(const std::string& type) {
         const geometry::SurfaceData data = surface_in("s.ply", binary(is_big_endian, type, index));
         CHECK(data.vertices.size() == 4);
         CHECK(data.vertices[3] == Eigen::Vector3d(0, 1, 7));
-        CHECK(data.triangles == triangles);
+        CHECK(data.triangles == ply_triangles);
         CHECK(data.labels == std::vector<int>{-4, -4, -3});
     }
 }
@@ -60,22 +60,22 @@ void check_binary(const std::string& type) {
 }  // namespace
 
 TEST_CASE("an ASCII PLY file is read whatever else is in it") {
-    const geometry::SurfaceData data = surface_in("s.ply", text);
+    const geometry::SurfaceData data = surface_in("s.ply", ply_text);
     CHECK(data.vertices.size() == 4);
     CHECK(data.vertices[3] == Eigen::Vector3d(0, 1, 0.5));
-    CHECK(data.triangles == triangles);
+    CHECK(data.triangles == ply_triangles);
     CHECK(data.labels.empty());
-    std::string more = replaced(text, "property float z\n", "property double z\nproperty list uchar int ring\n");
+    std::string more = replaced(ply_text, "property float z\n", "property double z\nproperty list uchar int ring\n");
     more = replaced(more, "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n", "0 0 0 0\n1 0 0 2 7 8\n1 1 0 1 nan\n0 1 0.5 0\n\n");
     more = replaced(more, "element face 2\n", "element edge 1\nproperty int a\nproperty int b\nelement face 2\n");
     more = replaced(more, "4 0 1 2 3\n", "0 1\n4 0 1 2 3\n");
     for (const std::string& other :
-         {more, replaced(text, "vertex_indices", "vertex_index"), replaced(text, "uchar int", "int32 uint16"),
-          text + "\n", replaced(text, "end_header\n", "end_header\r\n")}) {
+         {more, replaced(ply_text, "vertex_indices", "vertex_index"), replaced(ply_text, "uchar int", "int32 uint16"),
+          ply_text + "\n", replaced(ply_text, "end_header\n", "end_header\r\n")}) {
         INFO(other);
         const geometry::SurfaceData same = surface_in("s.ply", other);
         CHECK(same_bits(same.vertices, data.vertices));
-        CHECK(same.triangles == triangles);
+        CHECK(same.triangles == ply_triangles);
     }
 }
 
@@ -93,38 +93,40 @@ TEST_CASE("a binary PLY file is read in both byte orders, with indices of any ty
 
 TEST_CASE("a wrong PLY file is refused with its line or row") {
     CHECK_THAT(surface_error("s.ply", ""), Contains("s.ply: line 1: ends where ply is expected"));
-    CHECK_THAT(error("ply", "play"), Contains("line 1: is no PLY file"));
-    CHECK_THAT(error("ascii", "utf8"), Contains("the format is \"utf8\"; use ascii, binary_little_endian or"));
-    CHECK_THAT(error("format ascii 1.0\n", ""), Contains("the format is \"\""));
-    CHECK_THAT(error("comment", "remark"), Contains("line 3: \"remark\" where a line of the head is expected"));
-    CHECK_THAT(error("end_header\n", ""), Contains("line 11: \"0\" where a line of the head is expected"));
-    CHECK_THAT(error("property float y", "property real y"), Contains("line 7: \"real\" where the type of a property"));
-    CHECK_THAT(error("list uchar", "list float"), Contains("line 10: a list is counted by real numbers"));
-    CHECK_THAT(error("element vertex 4", "property int a"),
+    CHECK_THAT(ply_error("ply", "play"), Contains("line 1: is no PLY file"));
+    CHECK_THAT(ply_error("ascii", "utf8"), Contains("the format is \"utf8\"; use ascii, binary_little_endian or"));
+    CHECK_THAT(ply_error("format ascii 1.0\n", ""), Contains("the format is \"\""));
+    CHECK_THAT(ply_error("comment", "remark"), Contains("line 3: \"remark\" where a line of the head is expected"));
+    CHECK_THAT(ply_error("end_header\n", ""), Contains("line 11: \"0\" where a line of the head is expected"));
+    CHECK_THAT(ply_error("property float y", "property real y"),
+               Contains("line 7: \"real\" where the type of a property"));
+    CHECK_THAT(ply_error("list uchar", "list float"), Contains("line 10: a list is counted by real numbers"));
+    CHECK_THAT(ply_error("element vertex 4", "property int a"),
                Contains("line 5: there is a property before all elements"));
-    CHECK_THAT(error("property float y", "property float w"), Contains("the vertices lack one of the properties x, y"));
-    CHECK_THAT(error("vertex_indices", "corners"), Contains("the faces have no list vertex_indices"));
-    CHECK_THAT(error("element face 2", "element facet 2"), Contains("contains no element face"));
-    CHECK_THAT(error("element vertex", "element point"), Contains("contains no element vertex"));
-    CHECK_THAT(error("element face", "element vertex"), Contains("line 9: there is a second element \"vertex\""));
-    CHECK_THAT(error("element vertex 4", "element vertex -4"), Contains("line 5: the number of rows is negative"));
-    CHECK_THAT(error("element vertex 4", "element vertex 5"),
+    CHECK_THAT(ply_error("property float y", "property float w"),
+               Contains("the vertices lack one of the properties x, y"));
+    CHECK_THAT(ply_error("vertex_indices", "corners"), Contains("the faces have no list vertex_indices"));
+    CHECK_THAT(ply_error("element face 2", "element facet 2"), Contains("contains no element face"));
+    CHECK_THAT(ply_error("element vertex", "element point"), Contains("contains no element vertex"));
+    CHECK_THAT(ply_error("element face", "element vertex"), Contains("line 9: there is a second element \"vertex\""));
+    CHECK_THAT(ply_error("element vertex 4", "element vertex -4"), Contains("line 5: the number of rows is negative"));
+    CHECK_THAT(ply_error("element vertex 4", "element vertex 5"),
                Contains("line 16: there are more numbers than expected"));
-    CHECK_THAT(error("element vertex 4", "element vertex 3"),
+    CHECK_THAT(ply_error("element vertex 4", "element vertex 3"),
                Contains("line 15: there are more numbers than expected"));
-    CHECK_THAT(error("element vertex 4", "element vertex 99999999"),
+    CHECK_THAT(ply_error("element vertex 4", "element vertex 99999999"),
                Contains("99999999 rows of \"vertex\" are announced"));
-    CHECK_THAT(error("element face 2", "element face 1"), Contains("line 17: there are more rows than announced"));
-    CHECK_THAT(error("element face 2", "element face 3"), Contains("line 18: ends where face is expected"));
-    CHECK_THAT(error("element face 2", "element void 1\nelement face 2"),
+    CHECK_THAT(ply_error("element face 2", "element face 1"), Contains("line 17: there are more rows than announced"));
+    CHECK_THAT(ply_error("element face 2", "element face 3"), Contains("line 18: ends where face is expected"));
+    CHECK_THAT(ply_error("element face 2", "element void 1\nelement face 2"),
                Contains("the element \"void\" has no properties"));
-    CHECK_THAT(error("1 1 0\n", "1 inf 0\n"), Contains("line 14: \"inf\" where a number is expected"));
-    CHECK_THAT(error("1 1 0\n", "1 1\n"), Contains("line 14: there are fewer numbers than expected"));
-    CHECK_THAT(error("3 2 1 0", "3 2 1 4"), Contains("line 17: vertex 4 does not exist; use 0 to 3"));
-    CHECK_THAT(error("3 2 1 0", "3 2 1 2"), Contains("line 17: a face has the same vertex twice"));
-    CHECK_THAT(error("3 2 1 0", "2 2 1"), Contains("line 17: a face has fewer than 3 vertices"));
-    CHECK_THAT(error("3 2 1 0", "-3 2 1 0"), Contains("line 17: the length of a list is negative"));
-    CHECK_THAT(error("3 2 1 0", "3 2 1 0.5"), Contains("line 17: \"0.5\" where a whole number is expected"));
+    CHECK_THAT(ply_error("1 1 0\n", "1 inf 0\n"), Contains("line 14: \"inf\" where a number is expected"));
+    CHECK_THAT(ply_error("1 1 0\n", "1 1\n"), Contains("line 14: there are fewer numbers than expected"));
+    CHECK_THAT(ply_error("3 2 1 0", "3 2 1 4"), Contains("line 17: vertex 4 does not exist; use 0 to 3"));
+    CHECK_THAT(ply_error("3 2 1 0", "3 2 1 2"), Contains("line 17: a face has the same vertex twice"));
+    CHECK_THAT(ply_error("3 2 1 0", "2 2 1"), Contains("line 17: a face has fewer than 3 vertices"));
+    CHECK_THAT(ply_error("3 2 1 0", "-3 2 1 0"), Contains("line 17: the length of a list is negative"));
+    CHECK_THAT(ply_error("3 2 1 0", "3 2 1 0.5"), Contains("line 17: \"0.5\" where a whole number is expected"));
 }
 
 TEST_CASE("a wrong binary PLY file is refused with its row") {
@@ -150,7 +152,7 @@ TEST_CASE("a wrong binary PLY file is refused with its row") {
 }
 
 TEST_CASE("labels of faces have to be whole") {
-    const std::string labelled = replaced(text, "property list uchar", "property float label\nproperty list uchar");
+    const std::string labelled = replaced(ply_text, "property list uchar", "property float label\nproperty list uchar");
     const auto with_labels = [&](const std::string& a) {
         return replaced(replaced(labelled, "4 0 1 2 3", a + " 4 0 1 2 3"), "3 2 1 0", "0 3 2 1 0");
     };

@@ -19,7 +19,7 @@ std::string facet(const std::string& a, const std::string& b, const std::string&
 const std::string text = "solid made by hand\n" + facet("0 0 0", "1 0 0", "0 1 0") +
                          facet("1 0 0", "1e0 1 0", "-0 1.0 0") + "endsolid made by hand\n";
 
-std::string error(const std::string& what, const std::string& replacement) {
+std::string stl_error(const std::string& what, const std::string& replacement) {
     return surface_error("s.stl", replaced(text, what, replacement));
 }
 
@@ -35,7 +35,7 @@ std::string binary(const std::vector<std::array<float, 9>>& facets, std::string 
 }
 
 const std::vector<std::array<float, 9>> facets{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, 0, 1, 1, 0, -0.0F, 1, 0}};
-const Triangles triangles{{0, 1, 2}, {1, 3, 2}};
+const Triangles stl_triangles{{0, 1, 2}, {1, 3, 2}};
 
 }  // namespace
 
@@ -48,13 +48,13 @@ TEST_CASE("an STL file is read, corners at the same place as one vertex") {
         INFO(file);
         const geometry::SurfaceData data = surface_in("s.stl", file);
         CHECK(data.vertices == std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
-        CHECK(data.triangles == triangles);
+        CHECK(data.triangles == stl_triangles);
     }
 }
 
 TEST_CASE("triangles that vanish when corners become one are left out") {
     const std::string more = facet("0 0 0", "1 0 0", "0 0 0") + facet("1 1 0", "1 1 0", "1 1 0") + "endsolid";
-    CHECK(surface_in("s.stl", replaced(text, "endsolid", more)).triangles == triangles);
+    CHECK(surface_in("s.stl", replaced(text, "endsolid", more)).triangles == stl_triangles);
     // A sphere of which many triangles are too small for floats, far from the origin, stays closed.
     geometry::SurfaceData sphere = icosphere(4);
     for (Eigen::Vector3d& p : sphere.vertices) p += Eigen::Vector3d(1 << 20, 1 << 20, 1 << 20);
@@ -89,12 +89,13 @@ TEST_CASE("coordinates that floats can't hold are not written") {
 TEST_CASE("a wrong ASCII STL file is refused with its line") {
     CHECK_THAT(surface_error("s.stl", ""), Contains("s.stl: line 1: ends where solid is expected"));
     CHECK_THAT(surface_error("s.stl", "solid\nendsolid\n"), Contains("contains no facets"));
-    CHECK_THAT(error("vertex 1 0 0", "vertex 1 0"), Contains("line 6: \"vertex\" where a coordinate is expected"));
-    CHECK_THAT(error("vertex 1 0 0", "vertex 1 0 inf"), Contains("line 5: \"inf\" where a coordinate is expected"));
-    CHECK_THAT(error("vertex 1 0 0", "corner 1 0 0"), Contains("line 5: \"corner\" where vertex is expected"));
-    CHECK_THAT(error("    endloop", "vertex 1 1 1\n    endloop"), Contains("line 7: \"vertex\" where endloop is"));
-    CHECK_THAT(error("  facet", "  face"), Contains("line 2: \"face\" where facet or endsolid is expected"));
-    CHECK_THAT(error("endsolid made by hand\n", ""), Contains("ends where facet or endsolid is expected; the file is"));
+    CHECK_THAT(stl_error("vertex 1 0 0", "vertex 1 0"), Contains("line 6: \"vertex\" where a coordinate is expected"));
+    CHECK_THAT(stl_error("vertex 1 0 0", "vertex 1 0 inf"), Contains("line 5: \"inf\" where a coordinate is expected"));
+    CHECK_THAT(stl_error("vertex 1 0 0", "corner 1 0 0"), Contains("line 5: \"corner\" where vertex is expected"));
+    CHECK_THAT(stl_error("    endloop", "vertex 1 1 1\n    endloop"), Contains("line 7: \"vertex\" where endloop is"));
+    CHECK_THAT(stl_error("  facet", "  face"), Contains("line 2: \"face\" where facet or endsolid is expected"));
+    CHECK_THAT(stl_error("endsolid made by hand\n", ""),
+               Contains("ends where facet or endsolid is expected; the file is"));
 }
 
 TEST_CASE("a wrong binary STL file is refused") {

@@ -56,7 +56,7 @@ const std::string simple =
     "# vtk DataFile Version 2.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
     "1 1 1\nCELLS 2 10\n4 0 1 2 3\n4 1 2 3 4\nCELL_TYPES 2\n10\n10\nCELL_DATA 2\nSCALARS label int\n10\n20\n";
 
-std::string error(const std::string& what, const std::string& replacement) {
+std::string legacy_vtk_error(const std::string& what, const std::string& replacement) {
     return error_of("m.vtk", with(simple, what, replacement));
 }
 
@@ -87,26 +87,31 @@ TEST_CASE("a legacy VTK file whose SCALARS have no table") {
 }
 
 TEST_CASE("a wrong legacy VTK file is refused with its line") {
-    CHECK_THAT(error("POINTS 5", "POINTS 6"), Contains("m.vtk: line 11: \"CELLS\" where a number is expected"));
-    CHECK_THAT(error("POINTS 5", "POINTS 4"), Contains("line 10: \"1\" where a keyword is expected"));
-    CHECK_THAT(error("POINTS 5", "POINTS 99999"), Contains("line 5: 99999 points are announced, more than the file"));
-    CHECK_THAT(error("POINTS 5", "POINTS 100"), Contains("line 5: POINTS is announced to have 300 numbers"));
-    CHECK_THAT(error("POINTS 5", "POINTS -5"), Contains("line 5: the number of points is negative"));
-    CHECK_THAT(error("1 1 1\n", "1 1 inf\n"), Contains("line 10: \"inf\" where a number is expected"));
-    CHECK_THAT(error("4 1 2 3 4", "4 1 2 3 5"), Contains("line 13: vertex 5 does not exist; use 0 to 4"));
-    CHECK_THAT(error("4 1 2 3 4", "4 1 2 3 3"), Contains("line 13: the tetrahedron has the same vertex twice"));
-    CHECK_THAT(error("4 1 2 3 4", "5 1 2 3 4"), Contains("line 13: a tetrahedron has 5 vertices"));
-    CHECK_THAT(error("4 1 2 3 4", "-1 1 2 3 4"), Contains("line 13: the size of a cell is negative"));
-    CHECK_THAT(error("CELLS 2 10", "CELLS 2 9"), Contains("line 13: \"4\" where a keyword is expected"));
-    CHECK_THAT(error("CELL_TYPES 2", "CELL_TYPES 3"), Contains("line 14: 3 values for 2 cells"));
-    CHECK_THAT(error("CELL_DATA 2", "CELL_DATA 1"), Contains("line 17: 1 values for 2 cells"));
-    CHECK_THAT(error("10\n10\nCELL_DATA", "10\n13\nCELL_DATA"), Contains("line 16: the cell is a wedge (type 13)"));
-    CHECK_THAT(error("10\n20\n", "10\n2.5\n"), Contains("line 20: a label is not a whole number"));
-    CHECK_THAT(error("UNSTRUCTURED_GRID", "POLYDATA"), Contains("line 4: the data set is \"POLYDATA\""));
-    CHECK_THAT(error("ASCII", "ASKEY"), Contains("line 3: \"ASKEY\" where ASCII or BINARY is expected"));
-    CHECK_THAT(error("double", "string"), Contains("line 5: POINTS has the type \"string\""));
-    CHECK_THAT(error("CELL_TYPES 2\n10\n10\n", ""), Contains("there are no CELL_TYPES"));
-    CHECK_THAT(error("CELL_TYPES 2\n10\n10\n", "CELLS 1 1\n0\n"), Contains("there is a second section CELLS"));
+    CHECK_THAT(legacy_vtk_error("POINTS 5", "POINTS 6"),
+               Contains("m.vtk: line 11: \"CELLS\" where a number is expected"));
+    CHECK_THAT(legacy_vtk_error("POINTS 5", "POINTS 4"), Contains("line 10: \"1\" where a keyword is expected"));
+    CHECK_THAT(legacy_vtk_error("POINTS 5", "POINTS 99999"),
+               Contains("line 5: 99999 points are announced, more than the file"));
+    CHECK_THAT(legacy_vtk_error("POINTS 5", "POINTS 100"), Contains("line 5: POINTS is announced to have 300 numbers"));
+    CHECK_THAT(legacy_vtk_error("POINTS 5", "POINTS -5"), Contains("line 5: the number of points is negative"));
+    CHECK_THAT(legacy_vtk_error("1 1 1\n", "1 1 inf\n"), Contains("line 10: \"inf\" where a number is expected"));
+    CHECK_THAT(legacy_vtk_error("4 1 2 3 4", "4 1 2 3 5"), Contains("line 13: vertex 5 does not exist; use 0 to 4"));
+    CHECK_THAT(legacy_vtk_error("4 1 2 3 4", "4 1 2 3 3"),
+               Contains("line 13: the tetrahedron has the same vertex twice"));
+    CHECK_THAT(legacy_vtk_error("4 1 2 3 4", "5 1 2 3 4"), Contains("line 13: a tetrahedron has 5 vertices"));
+    CHECK_THAT(legacy_vtk_error("4 1 2 3 4", "-1 1 2 3 4"), Contains("line 13: the size of a cell is negative"));
+    CHECK_THAT(legacy_vtk_error("CELLS 2 10", "CELLS 2 9"), Contains("line 13: \"4\" where a keyword is expected"));
+    CHECK_THAT(legacy_vtk_error("CELL_TYPES 2", "CELL_TYPES 3"), Contains("line 14: 3 values for 2 cells"));
+    CHECK_THAT(legacy_vtk_error("CELL_DATA 2", "CELL_DATA 1"), Contains("line 17: 1 values for 2 cells"));
+    CHECK_THAT(legacy_vtk_error("10\n10\nCELL_DATA", "10\n13\nCELL_DATA"),
+               Contains("line 16: the cell is a wedge (type 13)"));
+    CHECK_THAT(legacy_vtk_error("10\n20\n", "10\n2.5\n"), Contains("line 20: a label is not a whole number"));
+    CHECK_THAT(legacy_vtk_error("UNSTRUCTURED_GRID", "POLYDATA"), Contains("line 4: the data set is \"POLYDATA\""));
+    CHECK_THAT(legacy_vtk_error("ASCII", "ASKEY"), Contains("line 3: \"ASKEY\" where ASCII or BINARY is expected"));
+    CHECK_THAT(legacy_vtk_error("double", "string"), Contains("line 5: POINTS has the type \"string\""));
+    CHECK_THAT(legacy_vtk_error("CELL_TYPES 2\n10\n10\n", ""), Contains("there are no CELL_TYPES"));
+    CHECK_THAT(legacy_vtk_error("CELL_TYPES 2\n10\n10\n", "CELLS 1 1\n0\n"),
+               Contains("there is a second section CELLS"));
     CHECK_THAT(error_of("m.vtk", ""), Contains("line 1: is no legacy VTK file"));
     const std::string offsets = vtk_text("5.1", false);
     CHECK_THAT(error_of("m.vtk", with(offsets, "OFFSETS vtktypeint64\n0", "OFFSETS vtktypeint64\n1")),

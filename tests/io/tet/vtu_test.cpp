@@ -138,7 +138,7 @@ const std::string ascii =
     "<DataArray type=\"Float32\" Name=\"region\" format=\"ascii\">10.0 20</DataArray>\n</CellData>\n"
     "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
-std::string error(const std::string& what, const std::string& replacement) {
+std::string vtu_error(const std::string& what, const std::string& replacement) {
     return error_of("m.vtu", with(ascii, what, replacement));
 }
 
@@ -175,35 +175,42 @@ TEST_CASE("a VTU file as text, and which array has the labels") {
 }
 
 TEST_CASE("a wrong VTU file is refused with its element") {
-    CHECK_THAT(error("1 1 1\n", "1 1 nan\n"),
+    CHECK_THAT(vtu_error("1 1 1\n", "1 1 nan\n"),
                Contains("m.vtu: line 3 of array \"\": \"nan\" where a number is expected"));
-    CHECK_THAT(error("1 1 1\n", "1 1\n"), Contains("array \"\": ends where a number is expected"));
-    CHECK_THAT(error("1 1 1\n", "1 1 1 1\n"), Contains("there are more numbers than announced"));
-    CHECK_THAT(error("Points=\"5\"", "Points=\"4000000000\""), Contains("numbers where 12000000000 are announced"));
-    CHECK_THAT(error("Points=\"5\"", "Points=\"-5\""), Contains("element Piece: NumberOfPoints is \"-5\""));
-    CHECK_THAT(error("Cells=\"2\"", "Cells=\"3\""), Contains("array \"offsets\": has 2 numbers where 3 are announced"));
-    CHECK_THAT(error("Cells=\"2\"", "Cells=\"1\""), Contains("there are more numbers than announced"));
-    CHECK_THAT(error("1 2 3 4<", "1 2 3 5<"), Contains("line 2 of array \"connectivity\": vertex 5 does not exist"));
-    CHECK_THAT(error("1 2 3 4<", "1 2 3 -1<"), Contains("line 2 of array \"connectivity\": vertex -1 does not exist"));
-    CHECK_THAT(error("1 2 3 4<", "1 2 3 2<"), Contains("the tetrahedron has the same vertex twice"));
-    CHECK_THAT(error("1 2 3 4<", "1 2 3 0.5<"), Contains("a vertex is not a whole number"));
-    CHECK_THAT(error("4 8<", "4 3<"), Contains("array \"offsets\": an offset is less than the one before"));
-    CHECK_THAT(error("4 8<", "4 9<"), Contains("a tetrahedron has 5 vertices"));
-    CHECK_THAT(error("10 10<", "10 12<"), Contains("array \"types\": the cell is a hexahedron (type 12); make linear"));
-    CHECK_THAT(error("10 10<", "10 24<"), Contains("a tetrahedron of higher order (type 24)"));
-    CHECK_THAT(error("10.0 20<", "10.5 20<"), Contains("array \"region\": a label is not a whole number"));
-    CHECK_THAT(error("10.0 20<", "10 20 30<"), Contains("array \"region\": there are more numbers than announced"));
-    CHECK_THAT(error("\"types\"", "\"kinds\""), Contains("element \"Cells\": has no array \"types\""));
-    CHECK_THAT(error("Components=\"3\"", "Components=\"2\""), Contains("points do not have 3 components"));
+    CHECK_THAT(vtu_error("1 1 1\n", "1 1\n"), Contains("array \"\": ends where a number is expected"));
+    CHECK_THAT(vtu_error("1 1 1\n", "1 1 1 1\n"), Contains("there are more numbers than announced"));
+    CHECK_THAT(vtu_error("Points=\"5\"", "Points=\"4000000000\""), Contains("numbers where 12000000000 are announced"));
+    CHECK_THAT(vtu_error("Points=\"5\"", "Points=\"-5\""), Contains("element Piece: NumberOfPoints is \"-5\""));
+    CHECK_THAT(vtu_error("Cells=\"2\"", "Cells=\"3\""),
+               Contains("array \"offsets\": has 2 numbers where 3 are announced"));
+    CHECK_THAT(vtu_error("Cells=\"2\"", "Cells=\"1\""), Contains("there are more numbers than announced"));
+    CHECK_THAT(vtu_error("1 2 3 4<", "1 2 3 5<"),
+               Contains("line 2 of array \"connectivity\": vertex 5 does not exist"));
+    CHECK_THAT(vtu_error("1 2 3 4<", "1 2 3 -1<"),
+               Contains("line 2 of array \"connectivity\": vertex -1 does not exist"));
+    CHECK_THAT(vtu_error("1 2 3 4<", "1 2 3 2<"), Contains("the tetrahedron has the same vertex twice"));
+    CHECK_THAT(vtu_error("1 2 3 4<", "1 2 3 0.5<"), Contains("a vertex is not a whole number"));
+    CHECK_THAT(vtu_error("4 8<", "4 3<"), Contains("array \"offsets\": an offset is less than the one before"));
+    CHECK_THAT(vtu_error("4 8<", "4 9<"), Contains("a tetrahedron has 5 vertices"));
+    CHECK_THAT(vtu_error("10 10<", "10 12<"),
+               Contains("array \"types\": the cell is a hexahedron (type 12); make linear"));
+    CHECK_THAT(vtu_error("10 10<", "10 24<"), Contains("a tetrahedron of higher order (type 24)"));
+    CHECK_THAT(vtu_error("10.0 20<", "10.5 20<"), Contains("array \"region\": a label is not a whole number"));
+    CHECK_THAT(vtu_error("10.0 20<", "10 20 30<"), Contains("array \"region\": there are more numbers than announced"));
+    CHECK_THAT(vtu_error("\"types\"", "\"kinds\""), Contains("element \"Cells\": has no array \"types\""));
+    CHECK_THAT(vtu_error("Components=\"3\"", "Components=\"2\""), Contains("points do not have 3 components"));
     CHECK_THAT(error_of("m.vtu", with(with(ascii, "10 10<", "10 5<"), "4 8<", "4 7<")),
                Contains("array \"connectivity\": there are more numbers"));
-    CHECK_THAT(error("</Piece>\n", "</Piece>\n<Piece/>"), Contains("several pieces"));
-    CHECK_THAT(error("version=\"0.1\"", "compressor=\"vtkLZ4DataCompressor\""), Contains("vtkLZ4DataCompressor"));
-    CHECK_THAT(error("=\"UnstructuredGrid\"", "=\"PolyData\""), Contains("is no VTK file of type UnstructuredGrid"));
-    CHECK_THAT(error("</Cells>", "</Cell>"), Contains("m.vtu: line 16: is no XML"));
+    CHECK_THAT(vtu_error("</Piece>\n", "</Piece>\n<Piece/>"), Contains("several pieces"));
+    CHECK_THAT(vtu_error("version=\"0.1\"", "compressor=\"vtkLZ4DataCompressor\""), Contains("vtkLZ4DataCompressor"));
+    CHECK_THAT(vtu_error("=\"UnstructuredGrid\"", "=\"PolyData\""),
+               Contains("is no VTK file of type UnstructuredGrid"));
+    CHECK_THAT(vtu_error("</Cells>", "</Cell>"), Contains("m.vtu: line 16: is no XML"));
     CHECK_THAT(error_of("m.vtu", ""), Contains("m.vtu: line 1: is no XML"));
-    CHECK_THAT(error("format=\"ascii\">4 8", "format=\"appended\" offset=\"0\">"), Contains("ends before its offset"));
-    CHECK_THAT(error("format=\"ascii\">4 8", "format=\"binary\">AAAA"), Contains("the data ends within its header"));
-    CHECK_THAT(error("format=\"ascii\">4 8", "format=\"binary\">" + io::base64(std::string("\x10\0\0\0\1", 5))),
+    CHECK_THAT(vtu_error("format=\"ascii\">4 8", "format=\"appended\" offset=\"0\">"),
+               Contains("ends before its offset"));
+    CHECK_THAT(vtu_error("format=\"ascii\">4 8", "format=\"binary\">AAAA"),
+               Contains("the data ends within its header"));
+    CHECK_THAT(vtu_error("format=\"ascii\">4 8", "format=\"binary\">" + io::base64(std::string("\x10\0\0\0\1", 5))),
                Contains("the data ends before 16 bytes"));
 }

@@ -28,8 +28,8 @@ struct Case {
 };
 
 /// From its start, or from the checkpoint in its folder.
-struct Run {
-    Run(const Case& given, const std::filesystem::path& folder, bool is_resumed, int interval = 5)
+struct SavedFlow {
+    SavedFlow(const Case& given, const std::filesystem::path& folder, bool is_resumed, int interval = 5)
         : path(apps::checkpoint_path(folder)),
           checkpoints(path, flow::checkpoint_kind, io::Json::object(), interval),
           snapshots(folder, given.steps, 5),
@@ -89,16 +89,16 @@ void check_same(const dsc2d::ComplexArrays& a, const dsc2d::ComplexArrays& b) {
 std::size_t check_goes_on(const Case& given) {
     const tests::TemporaryFolder one, other;
     core::Observer observer;
-    Run undisturbed(given, one.path(), false);
+    SavedFlow undisturbed(given, one.path(), false);
     undisturbed.go(observer);
     REQUIRE(undisturbed.result.end == FlowEnd::done);
 
     tests::StopAfter stop(given.steps - 3);
-    Run interrupted(given, other.path(), false);
+    SavedFlow interrupted(given, other.path(), false);
     interrupted.go(stop);
     REQUIRE(interrupted.result.end == FlowEnd::cancelled);
 
-    Run resumed(given, other.path(), true);
+    SavedFlow resumed(given, other.path(), true);
     const int step = resumed.result.steps.back().step;
     CHECK(step == (given.steps - 3) / 5 * 5);
     const auto number = static_cast<std::size_t>(step);
@@ -149,7 +149,7 @@ TEST_CASE("checkpoints leave the steps of a flow in the plane what they are with
     for (const int interval : {0, 1, 4}) {
         const tests::TemporaryFolder folder;
         core::Observer observer;
-        Run run(given, folder.path(), false, interval);
+        SavedFlow run(given, folder.path(), false, interval);
         run.go(observer);
         ends.push_back(run.complex->arrays());
         CHECK(std::filesystem::exists(run.path) == (interval > 0));

@@ -25,7 +25,7 @@ flow::Options parsed(std::vector<std::string> arguments) {
     return *flow::parse_options(static_cast<int>(argv.size()), argv.data());
 }
 
-void check_refused(const std::vector<std::string>& arguments, const std::string& word) {
+void check_options_refused(const std::vector<std::string>& arguments, const std::string& word) {
     CAPTURE(arguments);
     CHECK_THROWS_AS(parsed(arguments), core::UsageError);
     CHECK_THROWS_WITH(parsed(arguments), Catch::Contains(word));
@@ -63,26 +63,26 @@ TEST_CASE("points of the plane have two coordinates, shapes and motions their ow
 }
 
 TEST_CASE("what the plane does not have, or has no use for, is refused by name") {
-    check_refused({"sphere"}, "shape of the plane");
-    check_refused({"disc", "--motion", "enright"}, "enright");
-    check_refused({"disc", "--axis", "0,0,1"}, "--axis");
-    check_refused({"disc", "--center", "1,2,3"}, "--center");
-    check_refused({"disc", "--about", "x,1"}, "--about");
-    check_refused({"disc", "--domain", "0,0,0,1,1,1"}, "--domain");
-    check_refused({"disc", "--domain", "0,0,1,0"}, "--domain");
-    check_refused({"box", "--size", "1,2,3"}, "--size");
-    check_refused({"box", "--size", "0"}, "--size");
-    check_refused({"disc", "--gap", "1"}, "--gap");
-    check_refused({"disc", "--sides", "5"}, "--sides");
-    check_refused({"polygon", "--sides", "2"}, "--sides");
-    check_refused({"logo.svg", "--radius", "1"}, "--radius");
-    check_refused({"disc", "--motion", "offset"}, "--distance");
-    check_refused({"disc", "--motion", "translate"}, "--velocity");
-    check_refused({"disc", "--motion", "translate", "--velocity", "1,0,0"}, "--velocity");
-    check_refused({"disc", "--motion", "expression"}, "--velocity");
-    check_refused({"disc", "--motion", "curvature", "--angle", "5"}, "--angle");
-    check_refused({"disc", "--dt", "0.1", "--until", "1", "--steps", "10"}, "--steps");
-    check_refused({"disc", "--motion", "grid"}, "--velocity");
+    check_options_refused({"sphere"}, "shape of the plane");
+    check_options_refused({"disc", "--motion", "enright"}, "enright");
+    check_options_refused({"disc", "--axis", "0,0,1"}, "--axis");
+    check_options_refused({"disc", "--center", "1,2,3"}, "--center");
+    check_options_refused({"disc", "--about", "x,1"}, "--about");
+    check_options_refused({"disc", "--domain", "0,0,0,1,1,1"}, "--domain");
+    check_options_refused({"disc", "--domain", "0,0,1,0"}, "--domain");
+    check_options_refused({"box", "--size", "1,2,3"}, "--size");
+    check_options_refused({"box", "--size", "0"}, "--size");
+    check_options_refused({"disc", "--gap", "1"}, "--gap");
+    check_options_refused({"disc", "--sides", "5"}, "--sides");
+    check_options_refused({"polygon", "--sides", "2"}, "--sides");
+    check_options_refused({"logo.svg", "--radius", "1"}, "--radius");
+    check_options_refused({"disc", "--motion", "offset"}, "--distance");
+    check_options_refused({"disc", "--motion", "translate"}, "--velocity");
+    check_options_refused({"disc", "--motion", "translate", "--velocity", "1,0,0"}, "--velocity");
+    check_options_refused({"disc", "--motion", "expression"}, "--velocity");
+    check_options_refused({"disc", "--motion", "curvature", "--angle", "5"}, "--angle");
+    check_options_refused({"disc", "--dt", "0.1", "--until", "1", "--steps", "10"}, "--steps");
+    check_options_refused({"disc", "--motion", "grid"}, "--velocity");
     const std::vector<const char*> spatial = {"flow", "sphere", "--torus", "-o", "."};
     CHECK_THROWS_WITH(flow::parse_options(5, spatial.data()), Catch::Contains("--torus"));
 }

@@ -19,7 +19,7 @@ std::vector<Region> read(const std::string& name, const std::string& text, std::
     return flow::planar::read_polygons((folder / name).string(), edge_length);
 }
 
-void check_refused(const std::string& name, const std::string& text, const std::string& word) {
+void check_file_refused(const std::string& name, const std::string& text, const std::string& word) {
     CAPTURE(text);
     CHECK_THROWS_AS(read(name, text), core::InputError);
     CHECK_THROWS_WITH(read(name, text), Catch::Contains(word) && Catch::Contains(name));
@@ -58,25 +58,26 @@ TEST_CASE("without labels a polygon inside another one is a hole, and the next o
 
 TEST_CASE("labels have to be whole numbers in range, one for each polygon, and not all those of the outside") {
     for (const std::string label : {"99999999999", "4294967296", "4294967297", "-2147483649", "9223372036854775808"}) {
-        check_refused("a.json", "[{\"label\": " + label + ", \"points\": [[0,0],[1,0],[1,1]]}]", "polygon 1");
-        check_refused("a.csv", "0,0,1," + label + "\n1,0,1," + label + "\n1,1,1," + label + "\n", "line 1");
+        check_file_refused("a.json", "[{\"label\": " + label + ", \"points\": [[0,0],[1,0],[1,1]]}]", "polygon 1");
+        check_file_refused("a.csv", "0,0,1," + label + "\n1,0,1," + label + "\n1,1,1," + label + "\n", "line 1");
     }
-    check_refused("a.json", R"([{"label": 1.5, "points": [[0,0],[1,0],[1,1]]}])", "polygon 1");
-    check_refused("a.json", R"([[[5,5],[6,5],[6,6]], {"label": 4294967296, "points": [[0,0],[1,0],[1,1]]}])",
-                  "polygon 2: the label 4294967296");
+    check_file_refused("a.json", R"([{"label": 1.5, "points": [[0,0],[1,0],[1,1]]}])", "polygon 1");
+    check_file_refused("a.json", R"([[[5,5],[6,5],[6,6]], {"label": 4294967296, "points": [[0,0],[1,0],[1,1]]}])",
+                       "polygon 2: the label 4294967296");
     const std::string several = "x,y,polygon,label\n0,0,1,3\n5,0,2,7\n6,0,2,7\n# the odd one\n1,0,1,4\n6,1,2,7\n";
-    check_refused("a.csv", several, "line 6: polygon 1 gets the label 4 after 3");
+    check_file_refused("a.csv", several, "line 6: polygon 1 gets the label 4 after 3");
     for (const auto& [name, text] : {std::pair("a.csv", "0,0,1,0\n1,0,1,0\n1,1,1,0\n"),
                                      std::pair("a.json", R"([{"label": 0, "points": [[0,0],[1,0],[1,1]]}])")})
-        check_refused(name, text, "label 0");
+        check_file_refused(name, text, "label 0");
     // A hole may have the label of the outside.
     CHECK(read("a.csv", "0,0,1,2\n9,0,1,2\n9,9,1,2\n5,1,2,0\n8,1,2,0\n8,2,2,0\n")[1].label == 0);
 }
 
 TEST_CASE("numbers beyond what can be calculated with are refused, and more edges than make sense") {
-    check_refused("a.json", "[[[0,0],[1e308,0],[1e308,1e308],[-1e308,1e308]]]", "polygon 1: its point (1e+308, 0)");
-    check_refused("a.svg", "<svg><path d='M0 0L1e300 0L1e300 1e300Z'/></svg>", "path 1: its point");
-    check_refused("a.csv", "0,0\n1e-100,0\n1e-100,1e-100\n", "smaller");
+    check_file_refused("a.json", "[[[0,0],[1e308,0],[1e308,1e308],[-1e308,1e308]]]",
+                       "polygon 1: its point (1e+308, 0)");
+    check_file_refused("a.svg", "<svg><path d='M0 0L1e300 0L1e300 1e300Z'/></svg>", "path 1: its point");
+    check_file_refused("a.csv", "0,0\n1e-100,0\n1e-100,1e-100\n", "smaller");
     CHECK(read("a.csv", "0,0\n1e-50,0\n1e-50,1e-50\n").size() == 1);
     const std::string triangle = "0,0\n4,0\n0,3\n", square = "[[[0,0],[1,0],[1,1],[0,1]]]";
     CHECK_THROWS_WITH(read("a.csv", triangle, 1e-9), Catch::Contains("a.csv") && Catch::Contains("1.2e+10 times"));
@@ -86,19 +87,20 @@ TEST_CASE("numbers beyond what can be calculated with are refused, and more edge
 }
 
 TEST_CASE("polygons that are open, meet themselves or each other are refused with the place") {
-    check_refused("a.csv", "0,0\n1,1\n1,0\n0,1\n", "side 1 meets side 3 at (0.5, 0.5)");
-    check_refused("a.csv", "0,0,1\n1,0,1\n1,1,1\n0.5,0.5,2\n2,0.5,2\n2,0.6,2\n", "of polygon 2 at (1, 0.5)");
-    check_refused("a.svg", "<svg><path d='M1 2L3 4L5 7'/></svg>", "open: it begins at (1, -2) and ends at (5, -7)");
-    check_refused("a.csv", "0,0\n1,0\n", "fewer than three");
-    check_refused("a.csv", "0,0\n1,0\n0,0\n", "fewer than three");
-    check_refused("a.csv", "x,y\n0,0\n1,nan\n", "line 3");
-    check_refused("a.csv", "1,2,3,4,5\n", "columns");
-    check_refused("a.csv", "0,0,1,0.5\n", "label 0.5");
-    check_refused("a.svg", "<svg><path d='M0 0H9V9Z M1 1 H2'/></svg>", "path 1, part 2: is open");
-    check_refused("a.svg", "<svg><path d='M0 0C0 0 0 0 0 0Z'/></svg>", "fewer than three");
-    check_refused("a.csv", "x,y\n", "no polygon");
-    check_refused("a.json", "[[[0,0],[1,0],[1]]]", "polygon 1");
-    check_refused("a.json", "[[[0,0],[1,0],[1,1]], 7]", "polygon 2");
-    check_refused("a.json", "{", "a.json");
-    check_refused("a.txt", "", ".txt");
+    check_file_refused("a.csv", "0,0\n1,1\n1,0\n0,1\n", "side 1 meets side 3 at (0.5, 0.5)");
+    check_file_refused("a.csv", "0,0,1\n1,0,1\n1,1,1\n0.5,0.5,2\n2,0.5,2\n2,0.6,2\n", "of polygon 2 at (1, 0.5)");
+    check_file_refused("a.svg", "<svg><path d='M1 2L3 4L5 7'/></svg>",
+                       "open: it begins at (1, -2) and ends at (5, -7)");
+    check_file_refused("a.csv", "0,0\n1,0\n", "fewer than three");
+    check_file_refused("a.csv", "0,0\n1,0\n0,0\n", "fewer than three");
+    check_file_refused("a.csv", "x,y\n0,0\n1,nan\n", "line 3");
+    check_file_refused("a.csv", "1,2,3,4,5\n", "columns");
+    check_file_refused("a.csv", "0,0,1,0.5\n", "label 0.5");
+    check_file_refused("a.svg", "<svg><path d='M0 0H9V9Z M1 1 H2'/></svg>", "path 1, part 2: is open");
+    check_file_refused("a.svg", "<svg><path d='M0 0C0 0 0 0 0 0Z'/></svg>", "fewer than three");
+    check_file_refused("a.csv", "x,y\n", "no polygon");
+    check_file_refused("a.json", "[[[0,0],[1,0],[1]]]", "polygon 1");
+    check_file_refused("a.json", "[[[0,0],[1,0],[1,1]], 7]", "polygon 2");
+    check_file_refused("a.json", "{", "a.json");
+    check_file_refused("a.txt", "", ".txt");
 }
