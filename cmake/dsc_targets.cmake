@@ -19,8 +19,14 @@ target_compile_features(dsc_compile_options INTERFACE cxx_std_20)
 # Same input, same bits: no contraction into fused multiply-add, no fast-math.
 target_compile_options(dsc_compile_options INTERFACE -ffp-contract=off)
 add_library(dsc_warnings INTERFACE)
-target_compile_options(dsc_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-                                              -Woverloaded-virtual)
+target_compile_options(dsc_warnings INTERFACE -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual)
+# In a unity build a source has the names of its neighbours around it, and is not the main file whose unnamed namespace
+# GCC knows to be of no concern to others.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(dsc_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local -Wno-subobject-linkage>)
+else()
+  target_compile_options(dsc_warnings INTERFACE -Wshadow)
+endif()
 # Designated initializers leave members at their defaults on purpose. GCC 12 sees an overlap in `"text" + std::string`
 # that isn't there (GCC bug 105651).
 target_compile_options(dsc_warnings INTERFACE -Wno-missing-field-initializers
