@@ -3,8 +3,8 @@
 // are added to it, none of which the noise itself asks for: every object is blown up or let shrink towards the volume
 // it had at first, since contacts and resampling lose some; the interface contracts a little as a soap film does; and
 // it is driven off the walls, where it would gather. The sum is cut to half an edge length in a step. Where nothing may
-// merge or split, the noise turns round in the middle of each draw, and the interface contracts faster: noise that goes
-// on folds a surface without end, until it consists of sheets in contact. After every step the whole complex is
+// merge or split, the noise turns round every 17 steps, and the interface contracts faster: noise that goes on folds a
+// surface without end, until it consists of sheets in contact. After every step the whole complex is
 // validated: relations, orientation by exact predicate, manifoldness. Exit code 1 at the first failure.
 //
 //     soak_3d                                        # 10,000 steps, two labels, adaptive
@@ -51,11 +51,11 @@ constexpr double stride = 0.5;          // largest displacement of a step [edge 
 /// What a topology policy is stirred with.
 struct Regime {
     double max_frequency;  ///< of the noise: its shortest waves are 6.4 edges long, or 9
-    bool turns_round;      ///< in the middle of a draw
+    int steps_per_turn;    ///< after which the noise turns round
     double tension;        ///< way per curvature in a step [edge length^2]
 };
-constexpr Regime adaptive_regime = {.max_frequency = 1.5, .turns_round = false, .tension = 0.02};
-constexpr Regime preserved_regime = {.max_frequency = 1, .turns_round = true, .tension = 0.1};
+constexpr Regime adaptive_regime = {.max_frequency = 1.5, .steps_per_turn = steps_per_draw, .tension = 0.02};
+constexpr Regime preserved_regime = {.max_frequency = 1, .steps_per_turn = 17, .tension = 0.1};
 
 // What a run of the full length has to reach.
 constexpr int least_events = 100;       // merges, and splits, when these are allowed
@@ -193,7 +193,7 @@ Ways noise_ways(const Mesh& mesh, const motion::VelocityField<3>& noise, const R
         ways[i] = noise(mesh.position(VertexId(i)), 0);
         largest = std::max(largest, ways[i].norm());
     }
-    const bool is_back = regime.turns_round && step % steps_per_draw >= steps_per_draw / 2;
+    const bool is_back = step % steps_per_draw / regime.steps_per_turn % 2 == 1;
     for (Eigen::Vector3d& way : ways) way *= (is_back ? -1 : 1) * stride * edge_length / largest;
     return ways;
 }
@@ -227,8 +227,9 @@ int soak(const SoakOptions& options) {
     Mesh mesh = start_mesh(options.labels);
     const Regime& regime = options.topology == motion::TopologyPolicy::preserved ? preserved_regime : adaptive_regime;
     fmt::print(
-        "stride {} L; noise of {} waves across the domain at most{}; tension {} L^2; {} of lost volumes restored\n",
-        stride, regime.max_frequency, regime.turns_round ? ", which turns round" : "", regime.tension, restoring_rate);
+        "stride {} L; noise of {} waves across the domain at most, turned round every {} steps; tension {} L^2; "
+        "{} of lost volumes restored\n",
+        stride, regime.max_frequency, regime.steps_per_turn, regime.tension, restoring_rate);
     EventCounter events;
     Deformer deformer(
         mesh,
