@@ -220,15 +220,10 @@ void Contacts::absorb_crumbs(PassContext& context, int loser) {
 
 void Contacts::give(PassContext& context, TetId t, int winner) {
     const Complex& complex = context.complex();
-    const TetVertices& corners = complex.vertices(t);
-    // What comes onto the interface wants edges as short as there, which are longer off it.
-    const double length = context.least_wanted_length(t);
-    for (const VertexId v : corners)
-        if (!complex.is_interface(v)) context.wanted_length.set(v, length);
     characteristic_change_ -= interface_characteristic(complex, t);
     context.mesh.set_label(t, winner);
     characteristic_change_ += interface_characteristic(complex, t);
-    for (const VertexId v : corners) {
+    for (const VertexId v : complex.vertices(t)) {
         claim_[v] = {step_, winner};
         touched_.push_back(v);
     }

@@ -67,12 +67,11 @@ void InterfaceControl::run(PassContext& context) {
         const auto [a, b] = context.complex().vertices(e);
         vertices.insert(vertices.end(), {a, b});
     }
-    const std::vector<VertexId> visited = context.region.interface_vertices(context.complex());
     context.region.clear();
     if (context.parameters.collapses_interface) {
         collapse_short_edges(context, edges);
         remove_degenerate_edges(context, edges);
-        retract_threads(context, visited);
+        retract_threads(context, vertices);
     }
     if (context.parameters.flips_interface) remove_caps(context, edges);
     if (context.parameters.splits_interface) split_long_edges(context, edges);
@@ -135,9 +134,10 @@ void InterfaceControl::remove_degenerate_edges(PassContext& context, std::span<c
     context.region.settle(complex);
 }
 
-// Vertex by vertex from the ends. What holds a thread does not let its edges change: all that was visited is looked at.
+// Vertex by vertex from the ends. Where a thread is held its edges do not change, but it is behind its targets.
 void InterfaceControl::retract_threads(PassContext& context, std::span<const VertexId> candidates) {
     std::vector<VertexId> waiting(candidates.begin(), candidates.end());
+    for (const auto& late : context.report.unfinished) waiting.push_back(late.vertex);
     while (!waiting.empty()) {
         const VertexId end = waiting.back();
         waiting.pop_back();

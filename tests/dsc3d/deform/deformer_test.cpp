@@ -283,19 +283,6 @@ TEST_CASE("balls that merge have one surface without handles, after one event") 
     CHECK(list.events.size() == 1);
 }
 
-TEST_CASE("what comes onto the interface where balls merge and split wants the edges that are wanted there") {
-    Mesh mesh = box_with(two_balls, 0.1);
-    Deformer deformer(mesh, {.edge_length = 0.08});
-    for (int step = 0; step < 8; ++step) deformer.step(targets_of(mesh, drive_together));
-    for (int step = 0; step < 30; ++step) deformer.step(targets_of(mesh, pinch));
-    const std::vector<double> lengths = deformer.edge_lengths();
-    std::size_t i = 0;
-    for (const VertexId v : vertices(mesh.complex())) {
-        if (mesh.complex().is_interface(v)) CHECK(lengths[i] == 0.08);
-        ++i;
-    }
-}
-
 TEST_CASE("balls that are driven into each other are stopped where they may not merge, and what is left is reported") {
     for (const TopologyPolicy policy : {TopologyPolicy::preserved, TopologyPolicy::split_only}) {
         Mesh mesh = box_with(two_balls, 0.15);
