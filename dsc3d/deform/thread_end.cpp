@@ -23,6 +23,7 @@ bool ThreadEnd::is_thin(PassContext& context, VertexId v) {
         if (entry == volumes_.end()) entry = volumes_.insert(entry, {label, 0.0});
         entry->second += context.volume(t);
     }
+    if (volumes_.size() > 2) return false;
     const DeformParameters& parameters = context.parameters;
     const double length = context.wanted_length.at(v);
     const double thin = parameters.thread_volume * length * length * length;

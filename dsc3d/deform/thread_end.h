@@ -3,7 +3,7 @@
 // be collapsed without cutting it off. Where the topology policy forbids that, threads would be left behind by whatever
 // draws them, too thin to move, and hold up all that comes near.
 // Source: thesis 4.3.2.1 (degeneracy removal), for what is degenerate in two directions. Guarantee: none is found where
-// a region may be squeezed away, nor in the middle of a thread or at its root. Cost: linear in the star.
+// a region may be squeezed away, where more than two regions meet, nor in the middle of a thread or at its root. Cost: linear in the star.
 #pragma once
 
 #include <span>
