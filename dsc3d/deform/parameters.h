@@ -46,8 +46,8 @@ struct DeformParameters {
     double foot_width = 2;
     /// What is left over and smaller than this, in cubed edge lengths, goes with it. >= 0.
     double crumb_volume = 0.3;
-    /// Where its region may not be squeezed away, the end of a thread goes that has less of the region around it than
-    /// this, in cubed edge lengths. >= 0.
+    /// Where the topology is preserved, the end of a thread goes that has less of its region around it than this, in
+    /// cubed edge lengths. >= 0.
     double thread_volume = 0.02;
 
     // Motion

@@ -9,6 +9,7 @@ namespace dsc::dsc3d {
 
 bool ThreadEnd::find(PassContext& context, VertexId v) {
     const Complex& complex = context.complex();
+    if (context.parameters.topology != motion::TopologyPolicy::preserved) return false;
     if (complex.is_deleted(v) || !complex.is_interface(v) || complex.is_boundary(v) || !is_thin(context, v))
         return false;
     gather_spokes(context, v);
@@ -24,13 +25,9 @@ bool ThreadEnd::is_thin(PassContext& context, VertexId v) {
         entry->second += context.volume(t);
     }
     if (volumes_.size() > 2) return false;
-    const DeformParameters& parameters = context.parameters;
     const double length = context.wanted_length.at(v);
-    const double thin = parameters.thread_volume * length * length * length;
-    return std::any_of(volumes_.begin(), volumes_.end(), [&](const auto& entry) {
-        const auto& [label, volume] = entry;
-        return volume < thin && !motion::allows_change(parameters.topology, label, parameters.background_label);
-    });
+    const double thin = context.parameters.thread_volume * length * length * length;
+    return std::any_of(volumes_.begin(), volumes_.end(), [&](const auto& entry) { return entry.second < thin; });
 }
 
 void ThreadEnd::gather_spokes(PassContext& context, VertexId v) {

@@ -3,7 +3,8 @@
 // be collapsed without cutting it off. Where the topology policy forbids that, threads would be left behind by whatever
 // draws them, too thin to move, and hold up all that comes near.
 // Source: thesis 4.3.2.1 (degeneracy removal), for what is degenerate in two directions. Guarantee: none is found where
-// a region may be squeezed away, where more than two regions meet, nor in the middle of a thread or at its root. Cost: linear in the star.
+// something may be squeezed away, where more than two regions meet, nor in the middle of a thread or at its root. Cost:
+// linear in the star.
 #pragma once
 
 #include <span>
@@ -16,8 +17,8 @@ namespace dsc::dsc3d {
 
 class ThreadEnd {
 public:
-    /// Whether v ends a thread: of a region that may not give way it has next to nothing around it, and all its edges
-    /// on the interface that are not degenerate go the same way. Then spokes() are its edges on the interface.
+    /// Whether v ends a thread: of one region it has next to nothing around it, and all its edges on the interface that
+    /// are not degenerate go the same way. Then spokes() are its edges on the interface.
     bool find(PassContext& context, VertexId v);
     /// With their lengths, the shortest first.
     std::span<const std::pair<double, EdgeId>> spokes() const { return spokes_; }
